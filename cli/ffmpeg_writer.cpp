@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
 #include <system_error>
@@ -38,7 +39,7 @@ bool is_executable(const fs::path& path) {
 }
 
 [[noreturn]] void fail(const fs::path& path, int error) {
-  throw render::IoError("write", path, std::generic_category().message(error));
+  throw render::IoError("write", path, std::error_code(error, std::generic_category()));
 }
 
 }  // namespace
@@ -49,8 +50,9 @@ std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSetting
   const auto add = [&](std::initializer_list<std::string> words) {
     arguments.insert(arguments.end(), words);
   };
-  add({"-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-video_size",
-       fmt::format("{}x{}", settings.width, settings.height), "-framerate",
+  // -xerror: otherwise the status is 0 although the end of the file could not be written.
+  add({"-nostdin", "-xerror", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24",
+       "-video_size", fmt::format("{}x{}", settings.width, settings.height), "-framerate",
        fmt::format("{}", settings.frames_per_second), "-i", "pipe:0"});
   if (shares_colors(format)) {
     const int right = settings.width % 2, bottom = settings.height % 2;
@@ -140,15 +142,23 @@ void FfmpegWriter::add(std::span<const std::uint8_t> frame) {
     if (sent >= 0) {
       frame = frame.subspan(static_cast<std::size_t>(sent));
     } else if (errno != EINTR) {
-      throw render::IoError("write", shown_, "ffmpeg ended early");
+      fail_encoding("ffmpeg ended early");
     }
   }
 }
 
 void FfmpegWriter::finish() {
   ::close(std::exchange(input_, -1));
-  if (!wait()) throw render::IoError("write", shown_, "ffmpeg failed");
+  if (!wait()) fail_encoding("ffmpeg failed");
   file_.commit();
+}
+
+void FfmpegWriter::fail_encoding(const char* cause) const {
+  constexpr std::uintmax_t kFull = 1 << 16;  // bytes; the file was larger
+  std::error_code error;
+  const fs::space_info space = fs::space(fs::absolute(file_.temporary()).parent_path(), error);
+  if (!error && space.available < kFull) fail(shown_, ENOSPC);
+  throw render::IoError("write", shown_, cause);
 }
 
 bool FfmpegWriter::wait() noexcept {

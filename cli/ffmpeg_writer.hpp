@@ -37,6 +37,8 @@ class FfmpegWriter final : public VideoWriter {
   double frames_per_second() const noexcept override { return frames_per_second_; }
 
  private:
+  /// Throws IoError, for a full disk if it is full: ffmpeg's status does not tell.
+  [[noreturn]] void fail_encoding(const char* cause) const;
   /// Waits for ffmpeg and returns whether it succeeded.
   bool wait() noexcept;
 

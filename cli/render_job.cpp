@@ -294,6 +294,12 @@ class RenderJob {
       throw UsageError(fmt::format("`{}` is a video, but the scene has no `animation`",
                                    lang::printable(names.front())));
     }
+    if (!names.empty() && is_part()) {
+      throw UsageError(
+          fmt::format("a shard of each picture is a film: use -o NAME.{}.film instead of `{}`, or "
+                      "--shard-by frames",
+                      kFrameMark, lang::printable(names.front())));
+    }
     for (std::string& name : names) name = name_of_scene(name, options_.scene.given_name());
     videos_ =
         Videos(names, {.count = frames_.size(), .per_second = frames_per_second}, options_.crf);

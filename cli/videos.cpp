@@ -61,7 +61,8 @@ ExitCode Videos::finish(std::size_t finished, bool is_quiet, Environment& env) {
       try_to_write(code, env, [&] {
         video.writer->finish();
         if (is_quiet) return;
-        env.err << fmt::format("{}: {} frames, {} per second\n", shown, frames_.count,
+        env.err << fmt::format("{}: {} {}, {} per second\n", shown, frames_.count,
+                               frames_.count == 1 ? "frame" : "frames",
                                video.writer->frames_per_second());
       });
     } else {

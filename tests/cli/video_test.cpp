@@ -184,6 +184,19 @@ TEST_F(KeptVideos, RenderFramesWhosePicturesAreMissing) {
   EXPECT_EQ(std::ranges::count(stats, '\n'), 11);
 }
 
+TEST_F(Videos, AreNotThereIfTheirEndCannotBeWritten) {
+  for (const char* name : {"a.mp4", "a.webm", "a.mkv", "a.gif", "a.webp", "a.apng"}) {
+    // So much that only the end, or the last block, is missing.
+    ASSERT_EQ(run("\"$SDLC\" render film.scene -o " + std::string(name)).exit_code, 0);
+    const auto size = std::filesystem::file_size(folder_ / name);
+    std::filesystem::remove(folder_ / name);
+    const ProgramResult result = run("trap '' XFSZ; prlimit --fsize=" + std::to_string(size - 1) +
+                                     " \"$SDLC\" render film.scene --quiet -o " + name);
+    EXPECT_NE(result.exit_code, 0) << name;
+    EXPECT_THAT(names(), ElementsAre("film.scene")) << name;
+  }
+}
+
 TEST_F(Videos, AreRefusedWhereTheyCannotBe) {
   const auto error_of = [&](const std::string& arguments) {
     const ProgramResult result = run(arguments);
@@ -200,6 +213,9 @@ TEST_F(Videos, AreRefusedWhereTheyCannotBe) {
   EXPECT_THAT(error_of("\"$SDLC\" render film.scene -o a.mp4 --no-clobber"),
               HasSubstr("the file exists"));
   EXPECT_EQ(content_of(folder_ / "a.mp4"), "mine");
+  EXPECT_THAT(
+      error_of("\"$SDLC\" render film.scene --samples 600 --shard 1/2 --shard-by samples -o b.mp4"),
+      HasSubstr("a shard of each picture is a film"));
   write_text(folder_ / "still.scene",
              "scene 1\ncamera main { from: (0, 0, 9), at: (0, 0, 0), fov: 40deg }\n");
   EXPECT_THAT(error_of("\"$SDLC\" render still.scene --samples 1 -o b.webm"),
