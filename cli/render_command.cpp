@@ -141,10 +141,11 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
             options->checkpoint_seconds = parse_duration("--checkpoint", text);
           },
           "Keep the samples in a film file every T, such as `60s`: in -o NAME.film, otherwise "
-          "beside the picture until it is finished")
+          "beside the picture until it is finished. A video keeps its finished frames, too")
       .type_name("T");
-  command.add_flag("--resume", options->resumes,
-                   "Go on from that film file if it is there, to the same picture as in one go");
+  command.add_flag(
+      "--resume", options->resumes,
+      "Go on from what --checkpoint has kept, if it is there, to the same bytes as in one go");
   add_whole_number(
       command, "--crf", {.highest = 51},
       [options](std::uint64_t crf) { options->crf = static_cast<int>(crf); },
@@ -187,8 +188,7 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
       "#### in an output's name is replaced by the frame number, {name} by the scene's name "
       "without\n"
       "folder and extension. mp4 webm mkv apng, and gif and webp without ####, hold all frames; "
-      "they "
-      "need\nffmpeg.\n"
+      "all but\ngif need ffmpeg.\n"
       "A .film holds the samples, for --resume and `sdlc merge`.\n"
       "png jpg tiff webp ppm gif hold 8-bit codes after the scene's tone curve; exr and hdr hold "
       "linear\n"

@@ -71,6 +71,9 @@ NodeName=w1 NodeHostname=localhost NodeAddr=127.0.0.1 Port=$((port + 2)) CPUs=1 
 PartitionName=main Nodes=w0,w1 Default=YES MaxTime=INFINITE State=UP
 CONF
 
+# The plugin for version 1 starts without any cgroups, which containers may lack; the other one does not.
+echo CgroupPlugin=cgroup/v1 >"$dir/cgroup.conf"
+
 start() {
   "$@" >/dev/null 2>&1 &
   daemons+=($!)
@@ -82,7 +85,10 @@ start slurmctld -D
 start slurmd -D -N w0
 node=${daemons[-1]}
 start slurmd -D -N w1
-until [[ $(sinfo -h -o '%T %D' 2>/dev/null) == 'idle 2' ]]; do sleep 0.2; done
+until [[ $(sinfo -h -o '%T %D' 2>/dev/null) == 'idle 2' ]]; do
+  kill -0 "${daemons[@]}" 2>/dev/null || skip "Slurm does not start here: $(tail -qn 1 "$dir"/log/*.log)"
+  sleep 0.2
+done
 say "two nodes are idle"
 
 # The processes of the job on a node (default: any) whose command line matches.
