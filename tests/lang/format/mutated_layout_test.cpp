@@ -120,6 +120,7 @@ std::string with_random_gaps(const std::vector<std::string>& tokens, bool has_co
         i == 0 || is_bracket_or_comma(tokens[i]) || is_bracket_or_comma(tokens[i - 1]);
     if (!may_touch || random.below(3) == 0) text += random.one_of(kBlanks);
     if (has_comments && random.below(rarity) == 0) {
+      if (text.ends_with('/')) text += ' ';  // a division: with the comment it would be another one
       text += random.one_of(kComments);
       if (random.below(4) == 0) text += random.one_of(kComments);
       text += random.one_of(kBlanks);

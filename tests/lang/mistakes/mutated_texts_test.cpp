@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <set>
@@ -101,7 +102,12 @@ void expect_found(const SoundTexts& texts, std::uint64_t mutants) {
   EXPECT_GE(result.wrong, 200) << "too few to tell";
   EXPECT_GE(result.share_in_line(), 0.95) << result.misses;
   EXPECT_GE(result.share_near(), 0.97) << result.misses;
-  EXPECT_LE(result.has_cascades, result.wrong / 25) << "one slip, one error";
+  // 4 %, and two standard deviations for chance: with other texts the mutants are others. 69 of
+  // 2135 mutants of the examples, 3.2 %, had cascades.
+  constexpr double kShare = 0.04;
+  const double expected = kShare * result.wrong;
+  EXPECT_LE(result.has_cascades, expected + 2 * std::sqrt(expected * (1 - kShare)))
+      << "one slip, one error";
 }
 
 TEST(MutatedTexts, OfTheExamplesAreAnsweredInTheDamagedLine) {
