@@ -98,7 +98,9 @@ void check_match(const ComparedPair& pair) {
         "`{}` has {} x {} pixels and `{}` {} x {}; only pictures of the same size can be compared",
         a_name, a.picture.width, a.picture.height, b_name, b.picture.width, b.picture.height));
   }
-  if (is_exr(a) && is_exr(b) && describe_crop(a) != describe_crop(b)) {
+  const bool is_same_crop =
+      a.crop == b.crop && a.whole_width == b.whole_width && a.whole_height == b.whole_height;
+  if (is_exr(a) && is_exr(b) && !is_same_crop) {
     throw UsageError(fmt::format("`{}` has {} and `{}` {}; only the same pixels can be compared",
                                  a_name, describe_crop(a), b_name, describe_crop(b)));
   }

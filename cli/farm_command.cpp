@@ -27,6 +27,7 @@
 #include "cli/whole_number.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
+#include "lang/pack/pack.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
@@ -217,12 +218,24 @@ class FarmPlanner {
     }
     FarmJob earlier = read_farm_job(job_.folder);
     std::string other = difference(earlier, job_);
-    if (other.empty() && read_farm_file(job_, job_.scene) != pack_) other = "the scene has changed";
+    if (other.empty() && !has_same_pack()) other = "the scene has changed";
     if (other.empty()) return earlier;
     throw render::IoError("use", job_.folder,
                           fmt::format("it has the job of other pictures: {}; name another folder, "
                                       "or remove this one to start again",
                                       other));
+  }
+
+  /// Compares the files in the packs: another zlib may compress them otherwise.
+  bool has_same_pack() const {
+    const lang::Limits& limits = options_.render.scene.reading.limits;
+    try {
+      const lang::Pack earlier = lang::read_pack(read_farm_file(job_, job_.scene), limits);
+      const lang::Pack now = lang::read_pack(pack_, limits);
+      return earlier.scene == now.scene && earlier.files == now.files;
+    } catch (const lang::ZipError& error) {
+      throw render::IoError("use", job_.folder / job_.scene, error.what());
+    }
   }
 
   /// Pictures and parts of the earlier job remain usable.

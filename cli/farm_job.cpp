@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFarmVersion = 1;
 
-/// Calls `visit(name, member)` with each member that is in the file as it is.
+/// Calls `visit(name, member)` with each member that is stored without a conversion.
 constexpr auto kMembers = [](auto& job, auto visit) {
   visit("scene", job.scene);
   visit("name", job.name);
@@ -102,7 +102,8 @@ std::string read_farm_file(const FarmJob& job, const std::string& name) {
   const std::filesystem::path path = job.folder / name;
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw render::IoError("read", path, "`sdlc farm FILE -o FOLDER` makes such a folder");
+    throw render::IoError("read", path,
+                          "it is missing; `sdlc farm FILE -o FOLDER` makes the folder of a job");
   }
   return {std::istreambuf_iterator<char>(file), {}};
 }

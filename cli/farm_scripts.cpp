@@ -59,7 +59,7 @@ run_task() {
       0 | 130) return "$status" ;;
       75 | 137 | 143) [ "$attempt" -lt "$attempts" ] || return "$status" ;;
       *)
-        echo "$status" >>"$list.failed"
+        [ -z "${SDLC_FAILED:-}" ] || echo "$status" >>"$SDLC_FAILED"
         return "$status"
         ;;
     esac

@@ -10,7 +10,9 @@ namespace {
 /// --termseq: the renderer needs time to save its film.
 constexpr const char* kRunAll = R"sh(
 jobs=${JOBS:-1}
-rm -f "$list.failed"
+SDLC_FAILED=$list.failed
+export SDLC_FAILED
+rm -f "$SDLC_FAILED"
 if parallel --version 2>/dev/null | grep -q '^GNU parallel'; then
   seq 0 $((tasks - 1)) |
     parallel --will-cite --jobs "$jobs" --line-buffer --termseq TERM,60000,KILL,25 \
@@ -40,7 +42,7 @@ std::vector<FarmFile> shell_files(const FarmJob& job, const FarmRun& run) {
       "# Of what would fail again:\n";
   if (job.has_shards()) text += "case $merged in 0 | 75) ;; *) code=$merged ;; esac\n";
   if (!run.tasks.empty()) {
-    text += "[ ! -e \"$list.failed\" ] || code=$(sort -n \"$list.failed\" | tail -n 1)\n";
+    text += "[ ! -e \"$SDLC_FAILED\" ] || code=$(sort -n \"$SDLC_FAILED\" | tail -n 1)\n";
   }
   text += "exit \"$code\"\n";
   std::vector<FarmFile> files{task_script(job)};

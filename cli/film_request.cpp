@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a shard has if it is not some of the frames.
+/// Chooses samples or tiles.
 render::ShardCut choose_cut(std::uint32_t count, std::optional<ShardBy> by,
                             const render::RenderSettings& settings) {
   using render::ShardCut;
@@ -53,8 +53,8 @@ void check_shard(const std::vector<Output>& outputs, const render::RenderSetting
   }
 }
 
-/// Throws UsageError for a checkpoint that --resume would use.
-void refuse_to_replace(const fs::path& checkpoint, std::string_view state) {
+/// Throws UsageError, because --resume would use the checkpoint.
+[[noreturn]] void refuse_to_replace(const fs::path& checkpoint, std::string_view state) {
   throw UsageError(
       fmt::format("`{}` exists{}; use --resume to go on from it, or remove it to begin again",
                   lang::printable(checkpoint.string()), state));

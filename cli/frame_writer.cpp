@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <future>
-#include <span>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -128,8 +127,9 @@ ExitCode write_frame(const RenderOptions& options, RenderedFrame& frame, FilmJob
 }
 
 struct PendingFrames::Pending {
-  RenderedFrame frame;
-  Render render;
+  RenderedFrame frame = {};
+  Render render = {};
+  render::RenderMonitor monitor = {};
   std::ostringstream messages = {};
   std::future<ExitCode> code = {};  // last: it uses the others
 };
@@ -137,7 +137,7 @@ struct PendingFrames::Pending {
 PendingFrames::PendingFrames(const RenderOptions& options, Environment& env)
     : options_(options), env_(env) {}
 
-PendingFrames::~PendingFrames() = default;
+PendingFrames::~PendingFrames() { cancel(); }
 
 bool PendingFrames::may_wait(const RenderedFrame& frame) {
   return frame.result.is_complete &&
@@ -151,20 +151,26 @@ bool PendingFrames::may_render(const render::RenderSettings& settings, const ren
   // Each has its own scene in memory.
   constexpr std::size_t kMaxSpheres = std::size_t{1} << 14;
   const std::size_t pixels = settings.window().pixels();
+  std::size_t spheres = scene.spheres.size() + scene.instances.size();
+  for (const render::Prototype& prototype : scene.prototypes) spheres += prototype.spheres.size();
   return !settings.has_goal() && !settings.is_denoised && is_small(pixels, zoom, outputs) &&
          pixels * static_cast<std::size_t>(settings.samples) <= kMaxSamples &&
-         scene.spheres.size() + scene.instances.size() <= kMaxSpheres;
+         spheres <= kMaxSpheres;
 }
 
 void PendingFrames::add(RenderedFrame frame) { add(std::move(frame), {}, 0); }
 
 void PendingFrames::add(RenderedFrame frame, Render render, int threads) {
-  Pending& pending = *frames_.emplace_back(
-      std::make_unique<Pending>(Pending{.frame = std::move(frame), .render = std::move(render)}));
+  Pending& pending = *frames_.emplace_back(std::make_unique<Pending>());
+  pending.frame = std::move(frame);
+  pending.render = std::move(render);
   const auto write = [this, &pending, threads] {
     Environment env = env_.with_err(pending.messages);
     return report_failure(env, [&] {
-      if (pending.render) this->render(pending, threads);
+      if (pending.render) {
+        this->render(pending, threads);
+        if (!pending.frame.result.is_complete) return ExitCode::Interrupted;
+      }
       return write_frame(options_, pending.frame, nullptr, env);
     });
   };
@@ -187,7 +193,7 @@ void PendingFrames::render(Pending& pending, int threads) {
     ++rendering_;
   }
   try {
-    pending.render(pending.frame);
+    if (!is_canceled_) pending.render(pending.frame, pending.monitor);
   } catch (...) {
     leave();
     throw;
@@ -197,6 +203,15 @@ void PendingFrames::render(Pending& pending, int threads) {
 }
 
 std::size_t PendingFrames::first() const { return frames_.front()->frame.index; }
+
+bool PendingFrames::wait(std::chrono::milliseconds time) const {
+  return frames_.front()->code.wait_for(time) != std::future_status::timeout;
+}
+
+void PendingFrames::cancel() {
+  is_canceled_ = true;
+  for (const auto& pending : frames_) pending->monitor.cancel = true;
+}
 
 std::pair<RenderedFrame, ExitCode> PendingFrames::take() {
   const std::unique_ptr<Pending> pending = std::move(frames_.front());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -37,11 +39,11 @@ struct RenderedFrame {
 ExitCode write_frame(const RenderOptions& options, RenderedFrame& frame, FilmJob* film,
                      Environment& env);
 
-/// Frames that are rendered, or only written, beside the next ones.
+/// Frames that other threads render and write, while the next ones are compiled.
 class PendingFrames {
  public:
   /// Renders a frame into RenderedFrame::result.
-  using Render = std::function<void(RenderedFrame&)>;
+  using Render = std::function<void(RenderedFrame&, render::RenderMonitor&)>;
 
   /// Keeps references to both.
   PendingFrames(const RenderOptions& options, Environment& env);
@@ -53,11 +55,11 @@ class PendingFrames {
   /// As many as keep `threads` busy: waiting for the disk takes longer than the rest of a small
   /// frame.
   static std::size_t max(int threads) noexcept { return 6 + static_cast<std::size_t>(threads); }
-  /// Whether some of these frames, which are rendered, fit into memory, and their files may be
-  /// written in any order.
+  /// Whether a rendered frame is complete, small, and not for standard output: then it may be
+  /// written later.
   static bool may_wait(const RenderedFrame& frame);
-  /// Whether frames of this kind are rendered faster side by side, one thread each, than one after
-  /// the other.
+  /// Whether such frames are small: they are rendered faster in parallel, one thread each, than one
+  /// after the other.
   static bool may_render(const render::RenderSettings& settings, const render::Scene& scene,
                          const std::vector<Output>& outputs, int zoom);
   void add(RenderedFrame frame);
@@ -66,6 +68,10 @@ class PendingFrames {
   std::size_t size() const noexcept { return frames_.size(); }
   /// RenderedFrame::index of the first one. Precondition: there is one.
   std::size_t first() const;
+  /// Whether the first one is done; waits for it at most this long.
+  bool wait(std::chrono::milliseconds time) const;
+  /// Ends the rendering. Frames that are not complete then have the status Interrupted.
+  void cancel();
   /// Waits for the first one, prints its messages, and returns it with its status. Precondition:
   /// there is one.
   std::pair<RenderedFrame, ExitCode> take();
@@ -80,6 +86,7 @@ class PendingFrames {
   std::mutex mutex_;
   std::condition_variable wake_;
   int rendering_ = 0;
+  std::atomic<bool> is_canceled_ = false;
   std::deque<std::unique_ptr<Pending>> frames_;  // last: their threads use the others
 };
 

@@ -1,7 +1,6 @@
 #include "cli/kept_frames.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -46,10 +45,8 @@ std::string obstacle(const render::DecodedImage& image, const render::StoredFilm
 }
 
 bool is_ours(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  const bool is_number =
-      std::ranges::all_of(stem, [](unsigned char c) { return std::isdigit(c) != 0; });
-  return is_number && (file.extension() == ".png" || file.extension() == ".film");
+  const std::string name = file.filename().string();
+  return name.ends_with(".kept.png") || name.ends_with(".kept.film");
 }
 
 }  // namespace
@@ -57,9 +54,13 @@ bool is_ours(const fs::path& file) {
 KeptFrames::KeptFrames(const fs::path& video, int zoom)
     : folder_(fs::path(video) += ".frames"), zoom_(zoom) {}
 
-fs::path KeptFrames::film(int frame) const { return folder_ / name_of_frame("####.film", frame); }
+fs::path KeptFrames::film(int frame) const {
+  return folder_ / name_of_frame("####.kept.film", frame);
+}
 
-fs::path KeptFrames::picture(int frame) const { return folder_ / name_of_frame("####.png", frame); }
+fs::path KeptFrames::picture(int frame) const {
+  return folder_ / name_of_frame("####.kept.png", frame);
+}
 
 std::optional<std::vector<std::uint8_t>> KeptFrames::find(int frame,
                                                           const render::StoredFilm& film) const {

@@ -1,5 +1,6 @@
 #include "cli/make_pack.hpp"
 
+#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,7 +37,6 @@ bool is_sound(const std::string& archive, const SceneOptions& options, Environme
 std::optional<MadePack> make_pack(const SceneOptions& options, const lang::Document& scene,
                                   lang::Compiler& compiler, lang::DiagnosticSink& sink,
                                   Environment& env) {
-  compiler.check();
   compiler.read_all_files();
   report(options, sink, env);
   if (sink.has_errors()) return std::nullopt;
@@ -44,6 +44,10 @@ std::optional<MadePack> make_pack(const SceneOptions& options, const lang::Docum
   try {
     lang::CollectedFiles collected = lang::collect_files(scene, compiler.program(), env.workspace);
     MadePack made{.archive = lang::write_pack(collected.pack), .files = std::move(collected.files)};
+    if (const std::uint64_t max = options.reading.limits.any_file(); made.archive.size() > max) {
+      throw lang::ZipError(
+          fmt::format("it would have more than {} bytes; `--limit data=N` allows more", max));
+    }
     if (!is_sound(made.archive, options, env)) return std::nullopt;
     return made;
   } catch (const lang::ZipError& error) {

@@ -18,8 +18,8 @@ struct MadePack {
   std::vector<std::filesystem::path> files;  ///< that are in it besides the scene
 };
 
-/// Packs a scene with all files that it reads. `sink`: of the compiler. Prints findings, and
-/// returns nullopt if there are errors.
+/// Packs a scene with all files that it may read, without evaluating it. `sink`: of the compiler.
+/// Prints findings, and returns nullopt if there are errors.
 std::optional<MadePack> make_pack(const SceneOptions& options, const lang::Document& scene,
                                   lang::Compiler& compiler, lang::DiagnosticSink& sink,
                                   Environment& env);

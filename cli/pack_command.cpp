@@ -40,6 +40,7 @@ class PackJob {
     const auto scene = read_scene(options_.scene, env_);
     lang::DiagnosticSink sink;
     lang::Compiler compiler(*scene, program_options(options_.scene, env_), sink);
+    compiler.check();
     const std::optional<MadePack> made = make_pack(options_.scene, *scene, compiler, sink, env_);
     if (!made) return ExitCode::Findings;
     check_output(output, made->files);

@@ -20,6 +20,7 @@
 #include "cli/render_options.hpp"
 #include "cli/report_failure.hpp"
 #include "cli/scene_options.hpp"
+#include "cli/status_line.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "lang/text/display_width.hpp"

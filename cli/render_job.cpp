@@ -126,8 +126,7 @@ class RenderJob {
     read_seconds_ = render::seconds_since(start_);
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
-    // Errors that do not depend on the frame.
-    const bool is_broken = sink_.has_errors();
+    is_lost_ = sink_.has_errors();  // they do not depend on the frame
     for (std::size_t i = 0; i < frames_.size() && !run_.interrupted.load(); ++i) {
       const ExitCode of_frame = render_or_skip(i);
       if (of_frame == ExitCode::Interrupted) {
@@ -136,13 +135,13 @@ class RenderJob {
       }
       note_frame(i, of_frame);
       finish_frames(max_pending_);
-      if (!failed_.empty() && (options_.fails_fast || is_broken)) break;
+      if (ends_early()) break;
     }
     finish_frames(0);
     std::ranges::sort(failed_);
     report_frames();
     code_ = graver(code_, finish_videos());
-    return run_.interrupted.load() && finished_ > 0 ? report_interrupted(code_) : code_;
+    return run_.interrupted.load() ? report_interrupted() : code_;
   }
 
  private:
@@ -150,6 +149,9 @@ class RenderJob {
     if (code != ExitCode::Success) failed_.push_back(frames_[index].value_or(0));
     code_ = graver(code_, code);
   }
+
+  /// Whether a frame has failed, and no later one is rendered.
+  bool ends_early() const { return !failed_.empty() && (options_.fails_fast || is_lost_); }
 
   ExitCode finish_videos() {
     const bool is_quiet = options_.quiet || options_.progress == "none";
@@ -168,18 +170,26 @@ class RenderJob {
   void finish_frames(std::size_t max) {
     while (pending_.size() > max) {
       auto [frame, of_frame] = take_frame();
+      if (of_frame == ExitCode::Interrupted) continue;
       const ExitCode of_videos = add_to_videos(frame, nullptr);
       frame.is_written = frame.is_written && of_videos == ExitCode::Success;
-      note_frame(frame.index, graver(of_frame, of_videos));
+      const ExitCode code = graver(of_frame, of_videos);
+      note_frame(frame.index, code);
       code_ = graver(code_, note_written(frame));
+      if (code != ExitCode::Success && ends_early()) pending_.cancel();
     }
   }
 
   std::pair<RenderedFrame, ExitCode> take_frame() {
-    const render::RenderMonitor monitor;
-    const ProgressStyle style = progress_style(options_, env_);
-    const ProgressReporter progress(style, monitor, {}, progress_stream(style, env_),
-                                    progress_part(pending_.first()));
+    {
+      const render::RenderMonitor monitor;
+      const ProgressStyle style = progress_style(options_, env_);
+      const ProgressReporter progress(style, monitor, {}, progress_stream(style, env_),
+                                      progress_part(pending_.first()));
+      while (!pending_.wait(std::chrono::milliseconds(50))) {
+        if (run_.interrupted.load()) pending_.cancel();
+      }
+    }
     return pending_.take();
   }
 
@@ -228,16 +238,16 @@ class RenderJob {
     }
   }
 
-  /// Reports an interruption after a finished picture.
-  ExitCode report_interrupted(ExitCode code) {
-    if (code == ExitCode::Interrupted)
-      return code;  // interrupted within a picture, which has been
-                    // reported
-    env_.err << fmt::format("interrupted; {}\n", frames_.size() == 1
-                                                     ? "the picture was finished"
-                                                     : fmt::format("{} of {} frames were finished",
-                                                                   finished_, frames_.size()));
-    return graver(ExitCode::Interrupted, code);
+  /// Reports an interruption between pictures. One within a picture has been reported.
+  ExitCode report_interrupted() {
+    if (code_ == ExitCode::Interrupted) return code_;
+    env_.err << "interrupted; ";
+    if (frames_.size() == 1) {
+      env_.err << fmt::format("the picture was {}\n", finished_ > 0 ? "finished" : "not rendered");
+    } else {
+      env_.err << fmt::format("{} of {} frames were finished\n", finished_, frames_.size());
+    }
+    return graver(ExitCode::Interrupted, code_);
   }
 
   void choose_frames() {
@@ -322,10 +332,14 @@ class RenderJob {
   /// rendered. Throws FilmError, and IoError if a video cannot be written.
   bool take_kept_frame(std::optional<int> frame, const FilmJob& film,
                        const render::RenderSettings& settings) {
-    if (!kept_ || !options_.resumes || !are_written(output_request("", frame))) return false;
+    if (!kept_ || !options_.resumes) return false;
+    if (!pictures_.empty() && !are_written(output_request("", frame))) return false;
     std::optional<std::vector<std::uint8_t>> codes;
     try {
       codes = kept_->find(*frame, film.film());
+    } catch (const render::FilmError&) {  // so are the others, and the video cannot be whole
+      is_lost_ = true;
+      throw;
     } catch (const render::IoError& error) {  // rendered again
       env_.err << fmt::format("warning: {}\n", lang::printable(error.what()));
     }
@@ -395,6 +409,8 @@ class RenderJob {
     overrides.instancing = instancing_for(options_.kernel, overrides);
     overrides.names_output = !options_.outputs.empty();
     auto lowered = compiler_->lower(overrides, frame);
+    lang::CompileTimes times = compiler_->times();
+    times.parse_seconds -= std::exchange(parse_seconds_, times.parse_seconds);  // all frames' sum
     const auto choice_start = std::chrono::steady_clock::now();
     render::Kernel kernel;
     if (lowered) kernel = choose_kernel(options_.kernel, overrides, *lowered, *compiler_);
@@ -411,10 +427,7 @@ class RenderJob {
     check_goals(overrides, *lowered);
     sink_.clear();
     statistics.scene = source_->name();
-    statistics.compile = compiler_->times();
-    // That of all frames until now.
-    const double all_seconds = statistics.compile.parse_seconds;
-    statistics.compile.parse_seconds -= std::exchange(parse_seconds_, all_seconds);
+    statistics.compile = times;
     if (is_first) statistics.compile.parse_seconds += read_seconds_;
     statistics.settings = lowered->settings;
     statistics.spheres = render::count_spheres(lowered->scene);
@@ -556,9 +569,8 @@ class RenderJob {
     const auto shared = std::make_shared<LoweredFrame>(std::move(lowered_frame));
     pending_.add(
         std::move(frame),
-        [shared](RenderedFrame& rendered) {
+        [shared](RenderedFrame& rendered, render::RenderMonitor& monitor) {
           auto& [lowered, kernel, choice_seconds] = *shared;
-          render::RenderMonitor monitor;
           monitor.on_tracing = [&] { rendered.statistics.render_rss_bytes = resident_bytes(); };
           rendered.result = render::render(std::move(kernel), std::move(lowered.scene),
                                            rendered.settings, monitor);
@@ -582,6 +594,7 @@ class RenderJob {
     try_to_write(code, env_, [&] {
       videos_.add(codes_of(picture, frame.form.mapping), picture.width, picture.height);
     });
+    is_lost_ = is_lost_ || (code != ExitCode::Success && pictures_.empty());
     frame.statistics.write_seconds += render::seconds_since(start);
     return code;
   }
@@ -600,6 +613,7 @@ class RenderJob {
   double read_seconds_ = 0, parse_seconds_ = 0;
   bool has_compiled_ = false;
   bool has_planned_ = false;
+  bool is_lost_ = false;  // the rest of the frames is of no use
   bool is_shard_of_frames_ = false;
   std::vector<std::string> inputs_;
   std::optional<lang::Sandbox> sandbox_;

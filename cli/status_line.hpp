@@ -1,13 +1,14 @@
 #pragma once
 
+#include <mutex>
 #include <ostream>
 #include <streambuf>
 #include <string_view>
 
 namespace sdlc::cli {
 
-/// The stream of a terminal with one line below all other output, which show() replaces. Belongs to
-/// one thread at a time.
+/// The stream of a terminal with one line below all other output, which show() replaces. Threads
+/// may write and show() at the same time.
 class StatusLine final : public std::ostream {
  public:
   explicit StatusLine(std::ostream& terminal);
@@ -29,6 +30,7 @@ class StatusLine final : public std::ostream {
     int sync() override;
     void erase();
 
+    std::mutex mutex_;
     std::ostream& terminal_;
     bool is_shown_ = false;
   };

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -10,8 +12,11 @@
 #include "cli/picture_outputs.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
+#include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
+
+namespace fs = std::filesystem;
 
 std::vector<std::string> Videos::take_from(std::vector<std::string>& outputs, std::size_t frames) {
   const auto is_video = [frames](const std::string& output) {
@@ -38,6 +43,10 @@ void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existi
     inputs.check_not_in(video.path);
     outputs.add(video.path);
     render::check_writable(video.path);
+    if (std::error_code error;
+        fs::exists(video.path, error) && !fs::is_regular_file(video.path, error)) {
+      throw render::IoError("write", video.path, "it is not a regular file, as a video has to be");
+    }
     if (keeps_existing) check_absent(video.path);
   }
 }

@@ -1,6 +1,7 @@
 #include "cli/frame_writer.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <latch>
 #include <new>
 #include <sstream>
@@ -27,9 +28,10 @@ TEST_F(PendingFramesTest, AreTakenInTheirOrder) {
   PendingFrames frames(options_, env_);
   std::latch last_is_rendered(1);
   frames.add(
-      {.index = 3}, [&](RenderedFrame&) { last_is_rendered.wait(); }, 2);
+      {.index = 3}, [&](RenderedFrame&, render::RenderMonitor&) { last_is_rendered.wait(); }, 2);
   frames.add(
-      {.index = 4}, [&](RenderedFrame&) { last_is_rendered.count_down(); }, 2);
+      {.index = 4}, [&](RenderedFrame&, render::RenderMonitor&) { last_is_rendered.count_down(); },
+      2);
   EXPECT_EQ(frames.first(), 3U);
   EXPECT_EQ(frames.take().first.index, 3U);
   EXPECT_EQ(frames.first(), 4U);
@@ -43,7 +45,7 @@ TEST_F(PendingFramesTest, AreRenderedByAsManyThreadsAsAllowed) {
   for (std::size_t i = 0; i < 40; ++i) {
     frames.add(
         {.index = i},
-        [&](RenderedFrame&) {
+        [&](RenderedFrame&, render::RenderMonitor&) {
           const int now = ++rendering;
           if (now > most) most = now;
           std::this_thread::yield();
@@ -56,13 +58,35 @@ TEST_F(PendingFramesTest, AreRenderedByAsManyThreadsAsAllowed) {
   EXPECT_LE(most, 2);
 }
 
+TEST_F(PendingFramesTest, AreInterruptedWhenTheyAreCanceled) {
+  PendingFrames frames(options_, env_);
+  std::latch has_begun(1);
+  bool is_rendered = false;
+  frames.add(
+      {.index = 0},
+      [&](RenderedFrame&, render::RenderMonitor& monitor) {
+        has_begun.count_down();
+        while (!monitor.cancel) std::this_thread::yield();
+      },
+      1);
+  frames.add(
+      {.index = 1}, [&](RenderedFrame&, render::RenderMonitor&) { is_rendered = true; }, 1);
+  has_begun.wait();
+  EXPECT_FALSE(frames.wait(std::chrono::milliseconds(0)));
+  frames.cancel();
+  EXPECT_EQ(frames.take().second, ExitCode::Interrupted);
+  EXPECT_EQ(frames.take().second, ExitCode::Interrupted);
+  EXPECT_FALSE(is_rendered) << "it had not begun";
+  EXPECT_EQ(err_.str(), "");
+}
+
 TEST_F(PendingFramesTest, ThatFailDoNotStopTheOthers) {
   PendingFrames frames(options_, env_);
   frames.add(
-      {.index = 0}, [](RenderedFrame&) { throw std::bad_alloc(); }, 1);
+      {.index = 0}, [](RenderedFrame&, render::RenderMonitor&) { throw std::bad_alloc(); }, 1);
   bool is_rendered = false;
   frames.add(
-      {.index = 1}, [&](RenderedFrame&) { is_rendered = true; }, 1);
+      {.index = 1}, [&](RenderedFrame&, render::RenderMonitor&) { is_rendered = true; }, 1);
   EXPECT_NE(frames.take().second, ExitCode::Success);
   EXPECT_NE(err_.str(), "");
   frames.take();

@@ -119,7 +119,8 @@ TEST_F(KeptVideos, GoOnFromTheFramesThatAreThere) {
   ASSERT_EQ(run("\"$SDLC\" render film.scene -o b.mp4 --stats all.json").exit_code, 0);
   stop_at_frame_4("-o a.mp4");
   EXPECT_EQ(names_in(folder_ / "a.mp4.frames"),
-            (std::vector<std::string>{"0000.png", "0001.png", "0002.png", "0003.png"}));
+            (std::vector<std::string>{"0000.kept.png", "0001.kept.png", "0002.kept.png",
+                                      "0003.kept.png"}));
   const ProgramResult result =
       run("\"$SDLC\" render film.scene -o a.mp4 --checkpoint 60s --resume --stats rest.json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -137,7 +138,7 @@ TEST_F(KeptVideos, GoOnAfterAnInterruptionWithinAFrame) {
   ASSERT_EQ(run(render + "-o b.mp4").exit_code, 0);
   run(render +
       "-o a.mp4 --checkpoint 1ms & job=$!\n"
-      "until [ -e a.mp4.frames/0001.film ] || ! kill -0 $job; do sleep 0.01; done\n"
+      "until [ -e a.mp4.frames/0001.kept.film ] || ! kill -0 $job; do sleep 0.01; done\n"
       "kill -s KILL $job; wait $job");
   ASSERT_EQ(run(render + "-o a.mp4 --resume").exit_code, 0);
   EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
@@ -158,16 +159,30 @@ TEST_F(KeptVideos, RefuseFramesOfAnotherPicture) {
   write_text(folder_ / "film.scene", text.replace(text.find("(0, 0, 9)"), 9, "(0, 0, 8)"));
   EXPECT_THAT(error_of(1, "--resume"),
               HasSubstr("the video cannot go on from this frame: it differs in `camera`"));
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "a.mp4.frames/0003.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "a.mp4.frames/0003.kept.png"));
+}
+
+TEST_F(KeptVideos, OfASceneFromStandardInputGoOn) {
+  stop_at_frame_4("-o a.mp4");
+  ASSERT_EQ(run("\"$SDLC\" render - -o a.mp4 --resume --stats s.json <film.scene").exit_code, 0);
+  const std::string stats = content_of(folder_ / "s.json");
+  EXPECT_EQ(std::ranges::count(stats, '\n'), 10);
+}
+
+TEST_F(KeptVideos, LeaveFilesOfOthersInTheFolder) {
+  stop_at_frame_4("-o a.mp4");
+  write_text(folder_ / "a.mp4.frames/0001.png", "mine");
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o a.mp4 --resume").exit_code, 0);
+  EXPECT_THAT(names_in(folder_ / "a.mp4.frames"), ElementsAre("0001.png"));
 }
 
 TEST_F(KeptVideos, RenderDamagedFramesAgain) {
   ASSERT_EQ(run("\"$SDLC\" render film.scene -o b.mp4 --frames 2-13").exit_code, 0);
   stop_at_frame_4("-o a.mp4");
-  write_text(folder_ / "a.mp4.frames/0002.png", "no picture");
+  write_text(folder_ / "a.mp4.frames/0002.kept.png", "no picture");
   const ProgramResult result = run("\"$SDLC\" render film.scene -o a.mp4 --frames 2-13 --resume");
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("warning: cannot read `a.mp4.frames/0002.png`"));
+  EXPECT_THAT(result.err, HasSubstr("warning: cannot read `a.mp4.frames/0002.kept.png`"));
   EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.frames")) << "frames 0 and 1 neither";
 }
