@@ -626,6 +626,13 @@ TEST_F(CompareCommand, ComparesCrops) {
   write_oiio_file(folder_ / "b.exr", {spec});
   const ProgramResult result = compare("a.exr b.exr");
   EXPECT_EQ(result.exit_code, 0) << result.err;
+  spec.y = 2;
+  write_oiio_file(folder_ / "b.exr", {spec});
+  EXPECT_THAT(
+      compare("a.exr b.exr").err,
+      HasSubstr("`a.exr` has 12 x 8 pixels at (3, 0) of a picture of 100 x 50 and `b.exr` "
+                "12 x 8 pixels at (3, 2) of a picture of 100 x 50; only the same pixels can "
+                "be compared\n"));
 }
 
 class CompareRefuses : public CompareCommand, public testing::WithParamInterface<BrokenCase> {};

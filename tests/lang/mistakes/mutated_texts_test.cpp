@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <set>
@@ -38,6 +37,9 @@ std::uint64_t seed() { return number_from_environment("SDLC_MUTATION_SEED", 21);
 std::uint64_t count(std::uint64_t otherwise) {
   return number_from_environment("SDLC_MUTANTS", otherwise);
 }
+// Of the examples from several seeds: 3.2 % have cascades, and of the mutants of one seed one draw
+// in five would have more than 4 %.
+constexpr std::uint64_t kSeedsOfExamples = 3;
 constexpr std::uint64_t kOfExamples = 600, kOfLanguage = 6000, kOfConfigs = 1500;
 
 bool contains(const std::vector<std::uint32_t>& lines, std::uint32_t line) {
@@ -83,12 +85,14 @@ void Tally::add(const Mutant& mutant, const std::vector<MutantError>& errors) {
   }
 }
 
-Tally tally(const SoundTexts& texts, std::uint64_t mutants) {
-  Mutator mutator(texts, seed());
+Tally tally(const SoundTexts& texts, std::uint64_t mutants, std::uint64_t seeds) {
   Tally tally;
-  for (std::uint64_t i = 0; i < mutants; ++i) {
-    const Mutant mutant = mutator.next();
-    tally.add(mutant, errors_of(mutant, texts));
+  for (std::uint64_t s = 0; s < seeds; ++s) {
+    Mutator mutator(texts, seed() + s);
+    for (std::uint64_t i = 0; i < mutants; ++i) {
+      const Mutant mutant = mutator.next();
+      tally.add(mutant, errors_of(mutant, texts));
+    }
   }
   testing::Test::RecordProperty("wrong", tally.wrong);
   testing::Test::RecordProperty("in_line", fmt::format("{:.4f}", tally.share_in_line()));
@@ -97,21 +101,16 @@ Tally tally(const SoundTexts& texts, std::uint64_t mutants) {
   return tally;
 }
 
-void expect_found(const SoundTexts& texts, std::uint64_t mutants) {
-  const Tally result = tally(texts, mutants);
+void expect_found(const SoundTexts& texts, std::uint64_t mutants, std::uint64_t seeds = 1) {
+  const Tally result = tally(texts, mutants, seeds);
   EXPECT_GE(result.wrong, 200) << "too few to tell";
   EXPECT_GE(result.share_in_line(), 0.95) << result.misses;
   EXPECT_GE(result.share_near(), 0.97) << result.misses;
-  // 4 %, and two standard deviations for chance: with other texts the mutants are others. 69 of
-  // 2135 mutants of the examples, 3.2 %, had cascades.
-  constexpr double kShare = 0.04;
-  const double expected = kShare * result.wrong;
-  EXPECT_LE(result.has_cascades, expected + 2 * std::sqrt(expected * (1 - kShare)))
-      << "one slip, one error";
+  EXPECT_LE(result.has_cascades, result.wrong / 25) << "one slip, one error";
 }
 
 TEST(MutatedTexts, OfTheExamplesAreAnsweredInTheDamagedLine) {
-  expect_found(example_texts(), count(kOfExamples));
+  expect_found(example_texts(), count(kOfExamples), kSeedsOfExamples);
 }
 TEST(MutatedTexts, OfTheWholeLanguageAreAnsweredInTheDamagedLine) {
   expect_found(whole_language_texts(), count(kOfLanguage));
