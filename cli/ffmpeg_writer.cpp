@@ -3,20 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <initializer_list>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "render/image/io_error.hpp"
+#include "render/math/clock.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -41,6 +45,27 @@ bool is_executable(const fs::path& path) {
 [[noreturn]] void fail(const fs::path& path, int error) {
   throw render::IoError("write", path, std::error_code(error, std::generic_category()));
 }
+
+/// Decides when an ffmpeg that hangs is given up after an interruption.
+class Patience {
+ public:
+  explicit Patience(const std::atomic<bool>* interrupted) : interrupted_(interrupted) {}
+
+  /// Whether it has not changed `progress` for long.
+  bool is_over(std::uintmax_t progress) {
+    constexpr double kMaxSeconds = 5;
+    const bool is_interrupted = interrupted_ != nullptr && interrupted_->load();
+    if (!is_interrupted || std::exchange(progress_, progress) != progress) {
+      since_ = render::Clock::now();
+    }
+    return render::seconds_since(since_) > kMaxSeconds;
+  }
+
+ private:
+  const std::atomic<bool>* interrupted_;
+  std::uintmax_t progress_ = 0;
+  render::Clock::time_point since_ = render::Clock::now();
+};
 
 }  // namespace
 
@@ -99,7 +124,10 @@ bool has_ffmpeg() {
 }
 
 FfmpegWriter::FfmpegWriter(const fs::path& path, VideoFormat format, const VideoSettings& settings)
-    : frames_per_second_(settings.frames_per_second), shown_(path), file_(path) {
+    : frames_per_second_(settings.frames_per_second),
+      shown_(path),
+      file_(path),
+      interrupted_(settings.interrupted) {
   // A socket, because writing to it when ffmpeg has ended need not raise a signal.
   std::array<int, 2> ends{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) fail(path, errno);
@@ -122,7 +150,10 @@ FfmpegWriter::FfmpegWriter(const fs::path& path, VideoFormat format, const Video
   ::posix_spawnattr_destroy(&attributes);
   ::posix_spawn_file_actions_destroy(&actions);
   ::close(ends[1]);
-  if (error == 0) return;
+  if (error == 0) {
+    killed_.emplace(process_);
+    return;
+  }
   process_ = -1;
   ::close(input_);
   fail(path, error);
@@ -132,15 +163,22 @@ FfmpegWriter::~FfmpegWriter() {
   if (input_ >= 0) ::close(input_);
   if (process_ > 0) {
     ::kill(process_, SIGKILL);
-    wait();
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
   }
 }
 
 void FfmpegWriter::add(std::span<const std::uint8_t> frame) {
+  constexpr int kPollMilliseconds = 100;
+  Patience patience(interrupted_);
   while (!frame.empty()) {
-    const ssize_t sent = ::send(input_, frame.data(), frame.size(), MSG_NOSIGNAL);
+    const ssize_t sent = ::send(input_, frame.data(), frame.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent >= 0) {
       frame = frame.subspan(static_cast<std::size_t>(sent));
+    } else if (errno == EAGAIN) {
+      pollfd ready{.fd = input_, .events = POLLOUT, .revents = 0};
+      ::poll(&ready, 1, kPollMilliseconds);
+      if (patience.is_over(frame.size())) give_up();
     } else if (errno != EINTR) {
       fail_encoding("ffmpeg ended early");
     }
@@ -161,12 +199,23 @@ void FfmpegWriter::fail_encoding(const char* cause) const {
   throw render::IoError("write", shown_, cause);
 }
 
-bool FfmpegWriter::wait() noexcept {
+void FfmpegWriter::give_up() const {
+  throw render::IoError("write", shown_, "ffmpeg hangs, and was ended after the interruption");
+}
+
+bool FfmpegWriter::wait() {
+  Patience patience(interrupted_);
   int status = 0;
-  while (::waitpid(process_, &status, 0) < 0) {
-    if (errno != EINTR) return false;
+  for (;;) {
+    const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+    if (ended == process_) break;
+    if (ended < 0 && errno != EINTR) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::error_code ignored;
+    if (patience.is_over(fs::file_size(file_.temporary(), ignored))) give_up();
   }
   process_ = -1;
+  killed_.reset();
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <sys/types.h>
 
+#include "cli/interrupt.hpp"
 #include "cli/video_writer.hpp"
 #include "render/image/atomic_file.hpp"
 
@@ -31,7 +34,7 @@ class FfmpegWriter final : public VideoWriter {
   /// Ends ffmpeg and removes what it has written, unless it is finished.
   ~FfmpegWriter() override;
 
-  /// Waits if ffmpeg is slower. Throws IoError if it has ended.
+  /// Waits if ffmpeg is slower. Throws IoError if it has ended, or is given up.
   void add(std::span<const std::uint8_t> frame) override;
   void finish() override;
   double frames_per_second() const noexcept override { return frames_per_second_; }
@@ -39,14 +42,18 @@ class FfmpegWriter final : public VideoWriter {
  private:
   /// Throws IoError, for a full disk if it is full: ffmpeg's status does not tell.
   [[noreturn]] void fail_encoding(const char* cause) const;
-  /// Waits for ffmpeg and returns whether it succeeded.
-  bool wait() noexcept;
+  [[noreturn]] void give_up() const;
+  /// Waits until ffmpeg has ended and returns whether it succeeded. Throws IoError if it is given
+  /// up.
+  bool wait();
 
   double frames_per_second_;
   std::filesystem::path shown_;
   render::AtomicFile file_;
+  const std::atomic<bool>* interrupted_;
   int input_ = -1;
   pid_t process_ = -1;
+  std::optional<KilledBySignals> killed_;
 };
 
 }  // namespace sdlc::cli

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/report_failure.hpp"
 #include "cli/version.hpp"
-#include "lang/text/display_width.hpp"
 #include "render/film/film.hpp"
 #include "render/image/io_error.hpp"
 #include "render/math/clock.hpp"
@@ -67,7 +67,8 @@ std::string obstacle(const render::StoredFilm& film, const render::StoredFilm& w
 }  // namespace
 
 FilmJob::FilmJob(FilmRequest request, render::Kernel kernel, render::Scene scene,
-                 const render::RenderSettings& settings, render::PictureRecord record)
+                 const render::RenderSettings& settings, render::PictureRecord record,
+                 Environment& env)
     : start_(render::Clock::now()),
       request_(std::move(request)),
       settings_(settings),
@@ -78,10 +79,10 @@ FilmJob::FilmJob(FilmRequest request, render::Kernel kernel, render::Scene scene
       part_(request_.shard ? render::shard(settings, request_.cut, request_.shard->index,
                                            request_.shard->count)
                            : render::FilmPart{.extent = extent_of(settings)}) {
-  if (request_.resumes) resume();
+  if (request_.resumes) resume(env);
 }
 
-void FilmJob::resume() {
+void FilmJob::resume(Environment& env) {
   const fs::path& path = request_.checkpoint;
   std::error_code error;
   const bool is_there = fs::exists(path, error);
@@ -89,12 +90,19 @@ void FilmJob::resume() {
   if (!is_there) return;
   using render::FilmError;
   const auto refuse = [&](FilmError::Reason reason, const std::string& cause) {
-    throw FilmError(reason, path, cause + "; remove the film, or omit --resume, to begin again");
+    const char* const advice = request_.is_of_video
+                                   ? "; remove the folder to begin again"
+                                   : "; remove the film, or omit --resume, to begin again";
+    throw FilmError(reason, path, cause + advice);
   };
   render::StoredFilm earlier;
   try {
     earlier = render::read_film_file(path);
   } catch (const FilmError& failure) {
+    if (request_.is_of_video) {  // the frame is rendered again
+      warn(failure, env);
+      return;
+    }
     refuse(failure.reason(), failure.cause());
   }
   const std::string other = obstacle(earlier, film_, part_);
@@ -129,7 +137,7 @@ render::RenderResult FilmJob::render(render::RenderMonitor& monitor, Environment
       try {
         write_film_file(request_.checkpoint, film);
       } catch (const render::IoError& error) {  // the next one may succeed
-        env.err << fmt::format("warning: {}\n", lang::printable(error.what())) << std::flush;
+        warn(error, env);
       }
     };
   }

@@ -19,9 +19,10 @@ namespace sdlc::cli {
 class FilmJob {
  public:
   /// Prepares the scene, and reads what is resumed. `record`: what settings and kernel do not say.
-  /// Throws FilmError if the film to resume is of another picture, and IoError.
+  /// Throws FilmError if the film to resume cannot be used, and IoError. A damaged one of a video
+  /// is replaced, with a warning.
   FilmJob(FilmRequest request, render::Kernel kernel, render::Scene scene,
-          const render::RenderSettings& settings, render::PictureRecord record);
+          const render::RenderSettings& settings, render::PictureRecord record, Environment& env);
 
   /// The samples that are not in the film yet.
   std::uint64_t samples_to_trace() const noexcept;
@@ -42,7 +43,7 @@ class FilmJob {
   std::uint64_t samples() const noexcept { return render::samples_in(part_, settings_); }
 
  private:
-  void resume();
+  void resume(Environment& env);
   render::RenderResult render_shard(render::RenderMonitor& monitor);
 
   const render::Clock::time_point start_;  // RenderSettings::seconds counts from here

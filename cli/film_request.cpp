@@ -88,6 +88,7 @@ std::optional<FilmRequest> choose_films(const RenderOptions& options,
                       .checkpoint = {},
                       .checkpoint_seconds = options.checkpoint_seconds,
                       .resumes = options.resumes,
+                      .is_of_video = !context.checkpoint.empty(),
                       .shard = context.shard};
   if (context.shard) {
     check_shard(outputs, settings);

@@ -21,6 +21,7 @@ struct FilmRequest {
   std::filesystem::path checkpoint;
   std::optional<double> checkpoint_seconds;  ///< between two of them
   bool resumes = false;                      ///< goes on from the checkpoint if it is there
+  bool is_of_video = false;                  ///< the checkpoint is in the folder of kept frames
   std::optional<Shard> shard;                ///< of the samples or pixels, by `cut`
   render::ShardCut cut{};
 };

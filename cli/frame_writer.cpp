@@ -77,9 +77,8 @@ ExitCode conclude(const RenderOptions& options, const render::RenderSettings& se
   if (const int wanted = render::wanted_threads(settings.threads); result.threads < wanted) {
     env.err << fmt::format("warning: {} of {} threads could be started\n", result.threads, wanted);
   }
-  const bool is_quiet = options.quiet || options.progress == "none";
   const std::vector<std::string> names = written.all();
-  if (!is_quiet && !names.empty()) {
+  if (!options.is_quiet() && !names.empty()) {
     env.err << fmt::format("{}: {} x {} pixels, {}\n", fmt::join(names, ", "),
                            settings.window().width, settings.window().height,
                            describe_render(result, film));

@@ -15,24 +15,26 @@
 namespace sdlc::cli {
 namespace {
 
-int delay_of(double frames_per_second) {
-  // Browsers play shorter delays as 10. The field has 16 bits.
-  constexpr double kMin = 2, kMax = 65535;
-  return static_cast<int>(std::clamp(std::round(100 / frames_per_second), kMin, kMax));
-}
+// Delays in 1/100 s. Browsers play shorter ones as 10; the field has 16 bits.
+constexpr double kMinDelay = 2, kMaxDelay = 65535;
 
 }  // namespace
 
 GifWriter::GifWriter(std::filesystem::path path, const VideoSettings& settings)
     : path_(std::move(path)),
-      delay_(delay_of(settings.frames_per_second)),
-      encoder_(render::image_codec().make_gif_encoder(settings.width, settings.height, delay_)) {
+      frames_per_second_(std::clamp(settings.frames_per_second, 100 / kMaxDelay, 100 / kMinDelay)),
+      encoder_(render::image_codec().make_gif_encoder(settings.width, settings.height)) {
   if (!encoder_) throw std::bad_alloc();
 }
 
 void GifWriter::add(std::span<const std::uint8_t> frame) {
+  const auto time = [&](std::uint64_t index) {
+    return std::round(100 * static_cast<double>(index) / frames_per_second_);
+  };
+  const auto delay = static_cast<std::uint16_t>(time(frames_ + 1) - time(frames_));
+  ++frames_;
   std::string error;
-  if (!encoder_->add(frame, error)) throw render::IoError("write", path_, error);
+  if (!encoder_->add(frame, delay, error)) throw render::IoError("write", path_, error);
 }
 
 void GifWriter::finish() {

@@ -10,20 +10,21 @@
 
 namespace sdlc::cli {
 
-/// GIF without ffmpeg: each frame has its own palette, and is dithered. The encoded file is kept in
-/// memory until it is whole.
+/// GIF without ffmpeg: each frame has its own palette, and is dithered. The delays of GIF are whole
+/// hundredths of a second, at least 2; they differ where that keeps the time of all frames. The
+/// encoded file is kept in memory until it is whole.
 class GifWriter final : public VideoWriter {
  public:
   GifWriter(std::filesystem::path path, const VideoSettings& settings);
 
   void add(std::span<const std::uint8_t> frame) override;
   void finish() override;
-  /// The delays of GIF are whole hundredths of a second.
-  double frames_per_second() const noexcept override { return 100.0 / delay_; }
+  double frames_per_second() const noexcept override { return frames_per_second_; }
 
  private:
   std::filesystem::path path_;
-  int delay_;  // in 1/100 s
+  double frames_per_second_;
+  std::uint64_t frames_ = 0;
   std::unique_ptr<render::GifEncoder> encoder_;
 };
 

@@ -1,5 +1,6 @@
 #include "cli/interrupt.hpp"
 
+#include <array>
 #include <csignal>
 #include <thread>
 
@@ -10,6 +11,8 @@ namespace {
 
 std::atomic<InterruptGuard*> innermost{nullptr};
 std::atomic<int> handlers{0};  // running handlers, on any thread
+std::array<std::atomic<pid_t>, 16> children{};
+static_assert(std::atomic<pid_t>::is_always_lock_free, "a signal handler reads it");
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler writes it");
 static_assert(std::atomic<InterruptGuard*>::is_always_lock_free, "a signal handler reads it");
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
@@ -25,6 +28,9 @@ struct SignalHandler {
     }
     handlers.fetch_sub(1);
     if (is_first) return;
+    for (const std::atomic<pid_t>& child : children) {
+      if (const pid_t process = child.load()) ::kill(process, SIGKILL);
+    }
     render::remove_unfinished_files();
     std::signal(signal, SIG_DFL);
     std::raise(signal);  // delivered when this returns
@@ -52,6 +58,19 @@ InterruptGuard::InterruptGuard(std::atomic<bool>& flag) : flag_(flag), outer_(in
 InterruptGuard::~InterruptGuard() {
   innermost.store(outer_);
   while (handlers.load() > 0) std::this_thread::yield();  // a handler may use this guard
+}
+
+KilledBySignals::KilledBySignals(pid_t process) noexcept {
+  for (std::atomic<pid_t>& child : children) {
+    pid_t none = 0;
+    if (!child.compare_exchange_strong(none, process)) continue;
+    slot_ = &child;
+    return;
+  }
+}
+
+KilledBySignals::~KilledBySignals() {
+  if (slot_ != nullptr) slot_->store(0);
 }
 
 }  // namespace sdlc::cli

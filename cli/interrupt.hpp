@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include <sys/types.h>
+
 namespace sdlc::cli {
 
 /// Installs handlers for SIGINT, SIGTERM and SIGHUP that remove the temporary files before the
@@ -22,6 +24,19 @@ class InterruptGuard {
 
   std::atomic<bool>& flag_;
   InterruptGuard* const outer_;
+};
+
+/// A child process that a signal kills with this process, during its lifetime; if there is a free
+/// slot.
+class KilledBySignals {
+ public:
+  explicit KilledBySignals(pid_t process) noexcept;
+  ~KilledBySignals();
+  KilledBySignals(const KilledBySignals&) = delete;
+  KilledBySignals& operator=(const KilledBySignals&) = delete;
+
+ private:
+  std::atomic<pid_t>* slot_ = nullptr;
 };
 
 }  // namespace sdlc::cli

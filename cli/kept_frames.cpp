@@ -10,6 +10,7 @@
 #include "cli/frames.hpp"
 #include "render/image/decoded_file.hpp"
 #include "render/image/image.hpp"
+#include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -25,21 +26,26 @@ std::string entry(const render::DecodedImage& image, std::string_view key) {
   return found != image.metadata.end() ? found->second : std::string();
 }
 
-/// Why a kept frame is not that of the film, as a clause; empty if it is.
-std::string obstacle(const render::DecodedImage& image, const render::StoredFilm& film, int zoom) {
+/// Why a kept frame is not that of the film, as a clause; empty if it is. Throws IoError if it does
+/// not say.
+std::string obstacle(const fs::path& path, const render::DecodedImage& image,
+                     const render::StoredFilm& film, int zoom) {
   render::FilmOrigin origin;
   render::PictureRecord record;
-  if (!read_text(entry(image, kOrigin), origin) || !read_text(entry(image, kRecord), record)) {
-    return "it does not say of which picture it is";
+  const std::string has = entry(image, kZoom);
+  if (!read_text(entry(image, kOrigin), origin) || !read_text(entry(image, kRecord), record) ||
+      has.empty()) {
+    throw render::IoError("read", path, "it does not say of which picture it is");
   }
   if (std::string other = difference(record, film.record); !other.empty()) return other;
   if (std::string other = difference(origin, film.origin); !other.empty()) return other;
-  const std::string wanted = fmt::to_string(zoom), has = entry(image, kZoom);
+  const std::string wanted = fmt::to_string(zoom);
   if (has != wanted) return fmt::format("`zoom` is {}, not {}", has, wanted);
   const int width = origin.crop.width * zoom, height = origin.crop.height * zoom;
   if (image.width != width || image.height != height || image.channels.size() != 3 ||
       image.white != 255) {
-    return fmt::format("it does not have {} x {} pixels of 3 x 8 bits", width, height);
+    throw render::IoError(
+        "read", path, fmt::format("it does not have {} x {} pixels of 3 x 8 bits", width, height));
   }
   return {};
 }
@@ -68,7 +74,7 @@ std::optional<std::vector<std::uint8_t>> KeptFrames::find(int frame,
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   const render::DecodedImage image = render::decode_file(path).image;
-  if (const std::string other = obstacle(image, film, zoom_); !other.empty()) {
+  if (const std::string other = obstacle(path, image, film, zoom_); !other.empty()) {
     throw render::FilmError(
         render::FilmError::Reason::Foreign, path,
         "the video cannot go on from this frame: " + other + "; remove the folder to begin again");

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -17,7 +19,6 @@
 #include "cli/film_request.hpp"
 #include "cli/frame_writer.hpp"
 #include "cli/frames.hpp"
-#include "cli/kept_frames.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/override_options.hpp"
 #include "cli/picture_outputs.hpp"
@@ -33,7 +34,6 @@
 #include "lang/text/display_width.hpp"
 #include "render/film/film.hpp"
 #include "render/image/atomic_file.hpp"
-#include "render/image/enlarge.hpp"
 #include "render/image/image.hpp"
 #include "render/math/clock.hpp"
 #include "render/parallel/threads.hpp"
@@ -74,7 +74,7 @@ PictureForm picture_form(const RenderOptions& options, const lang::LoweredScene&
 }
 
 ProgressStyle progress_style(const RenderOptions& options, const Environment& env) {
-  if (options.quiet || options.progress == "none") return ProgressStyle::None;
+  if (options.is_quiet()) return ProgressStyle::None;
   if (options.progress == "openjd") return ProgressStyle::OpenJd;
   if (options.progress == "json") return ProgressStyle::Json;
   if (options.progress == "plain" || !env.err_is_terminal) return ProgressStyle::Plain;
@@ -140,31 +140,21 @@ class RenderJob {
     finish_frames(0);
     std::ranges::sort(failed_);
     report_frames();
-    code_ = graver(code_, finish_videos());
+    code_ = graver(code_, videos_.finish(finished_, options_.is_quiet(), env_));
     return run_.interrupted.load() ? report_interrupted() : code_;
   }
 
  private:
   void note_frame(std::size_t index, ExitCode code) {
-    if (code != ExitCode::Success) failed_.push_back(frames_[index].value_or(0));
     code_ = graver(code_, code);
+    if (code == ExitCode::Success) return;
+    failed_.push_back(frames_[index].value_or(0));
+    // The messages before do not say it.
+    if (frames_.size() > 1) env_.err << fmt::format("error: frame {} failed\n", failed_.back());
   }
 
   /// Whether a frame has failed, and no later one is rendered.
   bool ends_early() const { return !failed_.empty() && (options_.fails_fast || is_lost_); }
-
-  ExitCode finish_videos() {
-    const bool is_quiet = options_.quiet || options_.progress == "none";
-    const ExitCode code = videos_.finish(finished_, is_quiet, env_);
-    if (!kept_) return code;
-    if (code == ExitCode::Success && finished_ == frames_.size()) {
-      kept_->remove();
-    } else if (std::error_code ignored; fs::exists(kept_->folder(), ignored)) {
-      env_.err << fmt::format("--resume goes on from the frames in `{}`\n",
-                              lang::printable(kept_->folder().string()));
-    }
-    return code;
-  }
 
   /// Waits until at most `max` frames are pending, in their order.
   void finish_frames(std::size_t max) {
@@ -311,41 +301,35 @@ class RenderJob {
                       kFrameMark, lang::printable(names.front())));
     }
     for (std::string& name : names) name = name_of_scene(name, options_.scene.given_name());
-    videos_ =
-        Videos(names, {.count = frames_.size(), .per_second = frames_per_second}, options_.crf);
+    if (options_.skips_existing && skip_videos(names)) return;
+    videos_ = Videos(names, {.count = frames_.size(), .per_second = frames_per_second}, options_,
+                     run_.interrupted);
     videos_.check(InputSet(options_.files), run_.outputs, options_.keeps_existing);
-    if (!names.empty() && (options_.checkpoint_seconds || options_.resumes)) {
-      keep_frames_of(names.front());
-    }
   }
 
-  void keep_frames_of(const fs::path& video) {
-    kept_.emplace(video, options_.zoom);
-    std::error_code ignored;
-    if (options_.resumes || !fs::exists(kept_->folder(), ignored)) return;
-    throw UsageError(
-        fmt::format("`{}` exists; use --resume to go on from it, or remove it to begin again",
-                    lang::printable(kept_->folder().string())));
+  /// Removes the videos that are there. Returns whether that leaves nothing to render.
+  bool skip_videos(std::vector<std::string>& names) {
+    const bool has_videos = !names.empty();
+    std::erase_if(names, [&](const std::string& name) {
+      std::error_code error;
+      const std::uintmax_t size = fs::file_size(name, error);
+      if (error || size == 0) return false;
+      if (!options_.quiet) {
+        env_.err << fmt::format("`{}` is there already\n", lang::printable(name));
+      }
+      return true;
+    });
+    if (!has_videos || !names.empty() || !pictures_.empty()) return false;
+    frames_.clear();
+    return true;
   }
 
   /// Adds a frame that an earlier render has kept to the videos. Returns false if it has to be
-  /// rendered. Throws FilmError, and IoError if a video cannot be written.
-  bool take_kept_frame(std::optional<int> frame, const FilmJob& film,
-                       const render::RenderSettings& settings) {
-    if (!kept_ || !options_.resumes) return false;
+  /// rendered. Throws as Videos::add_kept().
+  bool take_kept_frame(std::optional<int> frame, const FilmJob& film) {
+    if (videos_.empty()) return false;
     if (!pictures_.empty() && !are_written(output_request("", frame))) return false;
-    std::optional<std::vector<std::uint8_t>> codes;
-    try {
-      codes = kept_->find(*frame, film.film());
-    } catch (const render::FilmError&) {  // so are the others, and the video cannot be whole
-      is_lost_ = true;
-      throw;
-    } catch (const render::IoError& error) {  // rendered again
-      env_.err << fmt::format("warning: {}\n", lang::printable(error.what()));
-    }
-    if (!codes) return false;
-    videos_.add(*codes, settings.window().width * options_.zoom,
-                settings.window().height * options_.zoom);
+    if (!videos_.add_kept(*frame, film.film(), env_)) return false;
     ++finished_;
     return true;
   }
@@ -514,7 +498,7 @@ class RenderJob {
                      {.shard = is_part() ? options_.shard : std::nullopt,
                       .inputs = inputs_,
                       .sandbox = sandbox_ ? &*sandbox_ : nullptr,
-                      .checkpoint = kept_ ? kept_->film(*frame) : fs::path()});
+                      .checkpoint = videos_.empty() ? fs::path() : videos_.checkpoint(*frame)});
     check_memory(settings, options_.aovs, request.has_value(), options_.zoom);
     check_not_refused(kernel);
 
@@ -525,39 +509,45 @@ class RenderJob {
     // Until here there is nothing to save, and a signal may end the process.
     if (!run_.guard) run_.guard.emplace(run_.interrupted);
     std::optional<render::ParentFolders> folders;
-    std::optional<FilmJob> film;
+    std::optional<FilmJob> film_job;
     if (request) {
-      if (kept_) {
-        folders.emplace(kept_->film(*frame));
-      } else if (outputs.front().may_make_folders) {
+      if (request->is_of_video || outputs.front().may_make_folders) {
         folders.emplace(request->checkpoint);
       }
-      film.emplace(*request, std::move(kernel), std::move(lowered.scene), lowered.settings,
-                   record_of(lowered, frame, statistics, *request));
-      if (take_kept_frame(frame, *film, settings)) return ExitCode::Success;
+      try {
+        film_job.emplace(*request, std::move(kernel), std::move(lowered.scene), lowered.settings,
+                         record_of(lowered, frame, statistics, *request), env_);
+        if (take_kept_frame(frame, *film_job)) return ExitCode::Success;
+      } catch (const render::FilmError&) {
+        if (request->is_of_video) {  // so are the others, and the video cannot be whole
+          is_lost_ = true;
+          videos_.leave_kept_frames();
+        }
+        throw;
+      }
     }
+    FilmJob* const film = film_job ? &*film_job : nullptr;
     RenderedFrame rendered{.index = index,
                            .outputs = outputs,
                            .form = picture_form(options_, lowered),
                            .settings = settings,
                            .statistics = std::move(statistics)};
-    if (frames_.size() > 1 && !film &&
+    if (frames_.size() > 1 && film == nullptr &&
         PendingFrames::may_render(settings, lowered.scene, outputs, options_.zoom)) {
       max_pending_ = PendingFrames::max(render::wanted_threads(settings.threads));
       add_pending(std::move(rendered), *std::move(lowered_frame));
       return ExitCode::Success;
     }
-    rendered.result = trace(lowered, std::move(kernel), options_, outputs, film ? &*film : nullptr,
+    rendered.result = trace(lowered, std::move(kernel), options_, outputs, film,
                             progress_part(index), rendered.statistics, env_);
     rendered.result.build_seconds += choice_seconds;
-    if (frames_.size() > 1 && !film && PendingFrames::may_wait(rendered)) {
+    if (frames_.size() > 1 && film == nullptr && PendingFrames::may_wait(rendered)) {
       pending_.add(std::move(rendered));
       return ExitCode::Success;
     }
     finish_frames(0);  // videos get the frames in order
-    const ExitCode of_videos = add_to_videos(rendered, film ? &*film : nullptr);
-    const ExitCode code =
-        graver(of_videos, write_frame(options_, rendered, film ? &*film : nullptr, env_));
+    const ExitCode of_videos = add_to_videos(rendered, film);
+    const ExitCode code = graver(of_videos, write_frame(options_, rendered, film, env_));
     rendered.is_written = rendered.is_written && of_videos == ExitCode::Success;
     return graver(code, note_written(rendered));
   }
@@ -583,16 +573,9 @@ class RenderJob {
     ExitCode code = ExitCode::Success;
     if (videos_.empty() || !frame.result.is_complete) return code;
     const auto start = std::chrono::steady_clock::now();
-    const render::Picture picture = enlarged(frame.result.picture, options_.zoom);
-    if (kept_) {
-      try {
-        kept_->keep(*frames_[frame.index], film->film(), picture, frame.form.mapping);
-      } catch (const render::IoError& error) {  // the video may still be finished
-        env_.err << fmt::format("warning: {}\n", lang::printable(error.what())) << std::flush;
-      }
-    }
     try_to_write(code, env_, [&] {
-      videos_.add(codes_of(picture, frame.form.mapping), picture.width, picture.height);
+      videos_.add(*frames_[frame.index], frame.result.picture, frame.form.mapping,
+                  film != nullptr ? &film->film() : nullptr, env_);
     });
     is_lost_ = is_lost_ || (code != ExitCode::Success && pictures_.empty());
     frame.statistics.write_seconds += render::seconds_since(start);
@@ -609,7 +592,6 @@ class RenderJob {
   std::vector<std::optional<int>> frames_;  // nullopt for a scene without an animation
   std::vector<std::string> pictures_;       // the outputs that are not videos
   Videos videos_;
-  std::optional<KeptFrames> kept_;
   double read_seconds_ = 0, parse_seconds_ = 0;
   bool has_compiled_ = false;
   bool has_planned_ = false;

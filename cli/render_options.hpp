@@ -38,6 +38,9 @@ struct RenderOptions {
   bool fails_fast = false;
   int crf = 18;  // VideoSettings::crf
   bool quiet = false;
+
+  /// Whether only diagnostics and failures are printed.
+  bool is_quiet() const { return quiet || progress == "none"; }
 };
 
 }  // namespace sdlc::cli

@@ -18,6 +18,10 @@ ExitCode exit_code_of(const render::IoError& error) noexcept {
   return error.may_pass() ? ExitCode::TryAgain : ExitCode::Usage;
 }
 
+void warn(const std::exception& failure, Environment& env) {
+  env.err << fmt::format("warning: {}\n", lang::printable(failure.what())) << std::flush;
+}
+
 ExitCode report_failure(Environment& env, const std::function<ExitCode()>& run) {
   try {
     return run();

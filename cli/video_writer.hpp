@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -21,6 +22,8 @@ struct VideoSettings {
   double frames_per_second = 24;
   /// Constant rate factor of H.264 and VP9, from 0, the best, to 51.
   int crf = 18;
+  /// Set by Ctrl-C: from then on, an encoder that does nothing is given up.
+  const std::atomic<bool>* interrupted = nullptr;
 };
 
 /// Encodes frames while they are rendered. The file appears as a whole, in finish(), or not at all.

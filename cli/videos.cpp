@@ -10,8 +10,12 @@
 
 #include "cli/frames.hpp"
 #include "cli/picture_outputs.hpp"
+#include "cli/report_failure.hpp"
+#include "cli/usage_error.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
+#include "render/image/enlarge.hpp"
+#include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
@@ -30,11 +34,23 @@ std::vector<std::string> Videos::take_from(std::vector<std::string>& outputs, st
   return names;
 }
 
-Videos::Videos(const std::vector<std::string>& names, VideoFrames frames, int crf)
-    : frames_(frames), crf_(crf) {
+Videos::Videos(const std::vector<std::string>& names, VideoFrames frames,
+               const RenderOptions& options, const std::atomic<bool>& interrupted)
+    : frames_(frames),
+      crf_(options.crf),
+      zoom_(options.zoom),
+      interrupted_(&interrupted),
+      resumes_(options.resumes) {
   for (const std::string& name : names) {
     videos_.push_back({.path = name, .format = *video_format_of(name), .writer = nullptr});
   }
+  if (empty() || (!options.checkpoint_seconds && !options.resumes)) return;
+  kept_.emplace(names.front(), options.zoom);
+  if (std::error_code ignored; options.resumes || !fs::exists(kept_->folder(), ignored)) return;
+  throw UsageError(
+      fmt::format("`{}` exists; use --resume to go on from it, or remove it to begin "
+                  "again",
+                  lang::printable(kept_->folder().string())));
 }
 
 void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existing) const {
@@ -51,12 +67,43 @@ void Videos::check(const InputSet& inputs, OutputSet& outputs, bool keeps_existi
   }
 }
 
-void Videos::add(std::span<const std::uint8_t> codes, int width, int height) {
+fs::path Videos::checkpoint(int frame) const { return kept_ ? kept_->film(frame) : fs::path(); }
+
+bool Videos::add_kept(int frame, const render::StoredFilm& film, Environment& env) {
+  if (!kept_ || !resumes_) return false;
+  std::optional<std::vector<std::uint8_t>> codes;
+  try {
+    codes = kept_->find(frame, film);
+  } catch (const render::IoError& error) {
+    warn(error, env);
+  }
+  if (!codes) return false;
+  encode(*codes, film.origin.crop.width * zoom_, film.origin.crop.height * zoom_);
+  return true;
+}
+
+void Videos::add(int frame, const render::Picture& picture, const render::ToneMapping& mapping,
+                 const render::StoredFilm* film, Environment& env) {
+  const render::Picture large = enlarged(picture, zoom_);
+  if (kept_) {
+    try {
+      kept_->keep(frame, *film, large, mapping);
+    } catch (const render::IoError& error) {  // the videos may still be finished
+      warn(error, env);
+    }
+  }
+  encode(codes_of(large, mapping), large.width, large.height);
+}
+
+void Videos::encode(std::span<const std::uint8_t> codes, int width, int height) {
   for (Video& video : videos_) {
     if (!video.writer) {
-      video.writer = open_video(
-          video.path, video.format,
-          {.width = width, .height = height, .frames_per_second = frames_.per_second, .crf = crf_});
+      video.writer = open_video(video.path, video.format,
+                                {.width = width,
+                                 .height = height,
+                                 .frames_per_second = frames_.per_second,
+                                 .crf = crf_,
+                                 .interrupted = interrupted_});
     }
     video.writer->add(codes);
   }
@@ -79,6 +126,13 @@ ExitCode Videos::finish(std::size_t finished, bool is_quiet, Environment& env) {
                              finished, frames_.count);
     }
     video.writer.reset();
+  }
+  if (!kept_) return code;
+  if (code == ExitCode::Success && finished == frames_.count) {
+    kept_->remove();
+  } else if (std::error_code ignored; fs::exists(kept_->folder(), ignored)) {
+    env.err << fmt::format("--resume goes on from the frames in `{}`\n",
+                           lang::printable(kept_->folder().string()));
   }
   return code;
 }

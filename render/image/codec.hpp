@@ -56,8 +56,9 @@ struct DecodedImage {
 class __attribute__((visibility("default"))) GifEncoder {
  public:
   virtual ~GifEncoder() = default;
-  /// `codes`: as those of EncodeRequest.
-  virtual bool add(std::span<const std::uint8_t> codes, std::string& error) noexcept = 0;
+  /// `codes`: as those of EncodeRequest. `delay`: until the next frame, in 1/100 s.
+  virtual bool add(std::span<const std::uint8_t> codes, std::uint16_t delay,
+                   std::string& error) noexcept = 0;
   /// Once, after the last frame.
   virtual bool finish(std::vector<std::byte>& file, std::string& error) noexcept = 0;
 };
@@ -69,9 +70,8 @@ class __attribute__((visibility("default"))) ImageCodec {
   virtual ~ImageCodec() = default;
   virtual bool encode(const EncodeRequest& request, std::vector<std::byte>& file,
                       std::string& error) noexcept = 0;
-  /// `delay`: from one frame to the next, in 1/100 s. Null if there is no memory.
-  virtual std::unique_ptr<GifEncoder> make_gif_encoder(int width, int height,
-                                                       int delay) noexcept = 0;
+  /// Null if there is no memory.
+  virtual std::unique_ptr<GifEncoder> make_gif_encoder(int width, int height) noexcept = 0;
   /// Rejects files with more than `max_pixels` pixels before allocating any.
   virtual bool decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
                       DecodedImage& image, std::string& error) noexcept = 0;
@@ -79,7 +79,7 @@ class __attribute__((visibility("default"))) ImageCodec {
 
 /// Must be incremented with every change to this header: the program rejects a module with another
 /// number.
-inline constexpr int kImageCodecVersion = 4;
+inline constexpr int kImageCodecVersion = 5;
 
 /// The result of the module's only exported function, `sdlc_image_codec`. The codec lives as long
 /// as the process.

@@ -93,11 +93,60 @@ TEST_F(Videos, GifNeedsNoFfmpeg) {
                 " -of csv=p=0 a.gif")
                 .out,
             "2/1,14\n");
-  // Delays are whole hundredths of a second.
+  // Delays are whole hundredths of a second, and some are longer: 14 / 24 s are 0.58 s.
   std::string text = kColors;
   write_text(folder_ / "fast.scene", text.replace(text.find("fps: 2"), 6, "fps: 24"));
   EXPECT_THAT(run("PATH=/nowhere \"$SDLC\" render fast.scene -o a.gif").err,
-              HasSubstr("a.gif: 14 frames, 25 per second\n"));
+              HasSubstr("a.gif: 14 frames, 24 per second\n"));
+  EXPECT_EQ(
+      run("ffprobe -v error -show_entries packet=duration -of csv=p=0 a.gif | tr '\\n' ' '").out,
+      "4 4 5 4 4 4 4 4 5 4 4 4 4 4 ");
+}
+
+TEST_F(Videos, ThatAreThereAreLeftBySkipExisting) {
+  write_text(folder_ / "a.mp4", "mine");
+  const ProgramResult none =
+      run("\"$SDLC\" render film.scene --skip-existing -o a.mp4 --stats s.json");
+  EXPECT_EQ(none.exit_code, 0) << none.err;
+  EXPECT_EQ(none.err, "`a.mp4` is there already\n");
+  const ProgramResult one = run("\"$SDLC\" render film.scene --skip-existing -o a.mp4 -o b.apng");
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_THAT(one.err, HasSubstr("b.apng: 14 frames"));
+  ASSERT_EQ(run("\"$SDLC\" render film.scene --skip-existing -o a.mp4 -o f.####.ppm").exit_code, 0);
+  EXPECT_THAT(names(), testing::Contains("f.0013.ppm"));
+  EXPECT_EQ(content_of(folder_ / "a.mp4"), "mine");
+  EXPECT_THAT(names(), testing::Not(testing::Contains("s.json"))) << "nothing was rendered";
+}
+
+/// Of a program in the place of ffmpeg that reads nothing and does not end.
+TEST_F(Videos, DoNotWaitForAnEncoderThatHangsAfterASignal) {
+  std::filesystem::create_directory(folder_ / "bin");
+  write_text(folder_ / "bin/ffmpeg",
+             "#!/bin/sh\necho $$ > pid.tmp\nmv pid.tmp pid\nexec sleep 1000\n");
+  std::filesystem::permissions(folder_ / "bin/ffmpeg", std::filesystem::perms::owner_all);
+  struct Case {
+    const char* size;  // of a frame: all fit into the buffer of the socket, or none does
+    const char* signals;
+    int status;
+  };
+  for (const auto& [size, signals, status] :
+       {Case{"", "", 2}, Case{"--width 640 --height 480", "", 2},
+        Case{"", "kill $job; sleep 0.2; kill $job", 143}}) {
+    const ProgramResult result = run(
+        "PATH=\"$PWD/bin:$PATH\" \"$SDLC\" render film.scene -o a.mp4 " + std::string(size) +
+        " & job=$!\n"
+        "until [ -e pid ]; do sleep 0.01; done\n"
+        "sleep 0.5; " +
+        (*signals == '\0' ? "kill $job" : signals) +
+        "; wait $job; status=$?\n"
+        "while kill -0 $(cat pid) 2>/dev/null; do sleep 0.01; done\n"  // a zombie's parent reaps it
+        "rm pid; exit $status");
+    EXPECT_EQ(result.exit_code, status) << size << signals << result.err;
+    if (*signals == '\0') {
+      EXPECT_THAT(result.err, HasSubstr("ffmpeg hangs, and was ended"));
+    }
+    EXPECT_THAT(names(), ElementsAre("bin", "film.scene"));
+  }
 }
 
 /// Videos that are not finished at once.
@@ -159,6 +208,7 @@ TEST_F(KeptVideos, RefuseFramesOfAnotherPicture) {
   write_text(folder_ / "film.scene", text.replace(text.find("(0, 0, 9)"), 9, "(0, 0, 8)"));
   EXPECT_THAT(error_of(1, "--resume"),
               HasSubstr("the video cannot go on from this frame: it differs in `camera`"));
+  EXPECT_THAT(error_of(1, "--resume"), testing::Not(HasSubstr("--resume goes on")));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "a.mp4.frames/0003.kept.png"));
 }
 
@@ -185,6 +235,23 @@ TEST_F(KeptVideos, RenderDamagedFramesAgain) {
   EXPECT_THAT(result.err, HasSubstr("warning: cannot read `a.mp4.frames/0002.kept.png`"));
   EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.frames")) << "frames 0 and 1 neither";
+}
+
+TEST_F(KeptVideos, RenderFramesWithDamagedFilmsOrMetadataAgain) {
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o b.mp4").exit_code, 0);
+  stop_at_frame_4("-o a.mp4");
+  // A picture without metadata, and a film of no bytes.
+  ASSERT_EQ(run("\"$SDLC\" render film.scene --frames 2 -o a.mp4.frames/0002.kept.png").exit_code,
+            0);
+  write_text(folder_ / "a.mp4.frames/0004.kept.film", "");
+  const ProgramResult result = run("\"$SDLC\" render film.scene -o a.mp4 --resume");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err,
+              HasSubstr("warning: cannot read `a.mp4.frames/0002.kept.png`: it does not "
+                        "say of which picture it is\n"));
+  EXPECT_THAT(result.err, HasSubstr("warning: `a.mp4.frames/0004.kept.film`"));
+  EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.frames"));
 }
 
 TEST_F(KeptVideos, RenderFramesWhosePicturesAreMissing) {

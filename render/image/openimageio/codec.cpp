@@ -221,15 +221,53 @@ bool decode_with_oiio(ImageFormat format, std::span<const std::byte> file, std::
   return true;
 }
 
+/// The end of the sub-blocks that begin at `at`.
+std::size_t end_of_blocks(std::span<const std::byte> file, std::size_t at) {
+  while (at < file.size() && file[at] != std::byte{0}) {
+    at += 1 + std::to_integer<std::size_t>(file[at]);
+  }
+  return at + 1;
+}
+
+/// The size in bytes of the table of colours that the flags of a GIF block announce.
+std::size_t table_bytes(std::byte flags) {
+  const auto bits = std::to_integer<unsigned>(flags);
+  return (bits & 0x80U) != 0 ? std::size_t{6} << (bits & 7U) : 0;
+}
+
+/// Writes the delays of the frames into their graphic control extensions; OpenImageIO has one for
+/// the whole file. The blocks of GIF89a: https://www.w3.org/Graphics/GIF/spec-gif89a.txt. Returns
+/// whether the file has a frame for each.
+bool set_delays(std::span<std::byte> file, std::span<const std::uint16_t> delays) {
+  constexpr std::byte kExtension{0x21}, kControl{0xF9}, kImage{0x2C};
+  constexpr std::size_t kHeader = 13, kImageHeader = 10;
+  if (file.size() < kHeader) return false;
+  std::size_t frame = 0;
+  for (std::size_t at = kHeader + table_bytes(file[10]); at + kImageHeader < file.size();) {
+    if (file[at] == kExtension) {
+      if (file[at + 1] == kControl && frame < delays.size()) {
+        file[at + 4] = static_cast<std::byte>(delays[frame] & 0xFFU);
+        file[at + 5] = static_cast<std::byte>(delays[frame] >> 8U);
+        ++frame;
+      }
+      at = end_of_blocks(file, at + 2);
+    } else if (file[at] == kImage) {
+      at = end_of_blocks(file, at + kImageHeader + table_bytes(file[at + 9]) + 1);
+    } else {
+      return false;
+    }
+  }
+  return frame == delays.size();
+}
+
 class OpenImageIoGif final : public GifEncoder {
  public:
-  OpenImageIoGif(int width, int height, int delay)
-      : spec_(width, height, 3, TypeDesc::UINT8), output_(ImageOutput::create("gif")) {
-    // The plugin truncates 100 / rate to whole hundredths of a second.
-    spec_.attribute("FramesPerSecond", 100 / (static_cast<float>(delay) + 0.5F));
-  }
+  OpenImageIoGif(int width, int height)
+      : spec_(width, height, 3, TypeDesc::UINT8), output_(ImageOutput::create("gif")) {}
 
-  bool add(std::span<const std::uint8_t> codes, std::string& error) noexcept override try {
+  bool add(std::span<const std::uint8_t> codes, std::uint16_t delay,
+           std::string& error) noexcept override try {
+    delays_.push_back(delay);
     if (!output_) return fail(error, OIIO::geterror());
     if (!has_frames_ && !output_->set_ioproxy(&memory_)) return fail(error, output_->geterror());
     const auto mode = has_frames_ ? ImageOutput::AppendSubimage : ImageOutput::Create;
@@ -245,13 +283,15 @@ class OpenImageIoGif final : public GifEncoder {
     if (output_ && !output_->close()) return fail(error, output_->geterror());
     const auto* first = reinterpret_cast<const std::byte*>(bytes_.data());
     file.assign(first, first + bytes_.size());
-    return true;
+    return set_delays(file, delays_) ||
+           fail(error, "OpenImageIO has written other blocks than expected");
   } catch (const std::exception& exception) {
     return fail(error, exception.what());
   }
 
  private:
   ImageSpec spec_;
+  std::vector<std::uint16_t> delays_;
   std::vector<unsigned char> bytes_;
   OIIO::Filesystem::IOVecOutput memory_{bytes_};
   std::unique_ptr<ImageOutput> output_;  // writes to memory_
@@ -274,9 +314,8 @@ class OpenImageIoCodec final : public ImageCodec {
     return fail(error, exception.what());
   }
 
-  std::unique_ptr<GifEncoder> make_gif_encoder(int width, int height, int delay) noexcept override
-      try {
-    return std::make_unique<OpenImageIoGif>(width, height, delay);
+  std::unique_ptr<GifEncoder> make_gif_encoder(int width, int height) noexcept override try {
+    return std::make_unique<OpenImageIoGif>(width, height);
   } catch (const std::exception&) {
     return nullptr;
   }
