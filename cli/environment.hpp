@@ -19,6 +19,16 @@ struct Environment {
   std::span<const std::string> arguments = {};  ///< of the command line, for commands that repeat
                                                 ///< it
 
+  /// The same with other files.
+  Environment with_workspace(lang::Workspace& other) const {
+    return {.workspace = other,
+            .out = out,
+            .err = err,
+            .out_is_terminal = out_is_terminal,
+            .err_is_terminal = err_is_terminal,
+            .no_color = no_color,
+            .arguments = arguments};
+  }
   /// The same with another stream for messages.
   Environment with_err(std::ostream& other) const {
     return {.workspace = workspace,

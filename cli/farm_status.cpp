@@ -215,6 +215,15 @@ class FarmStatus {
   std::vector<CheckedFile> checkpoints_;  ///< those that are damaged
 };
 
+/// Throws IoError if no task can read the scene.
+void check_pack(const FarmJob& job) {
+  const fs::path pack = job.folder / job.scene;
+  if (std::error_code ignored; fs::is_regular_file(pack, ignored)) return;
+  throw render::IoError("read", pack,
+                        "it is missing, and the job renders it; put it back, or make "
+                        "the job again with `sdlc farm`");
+}
+
 }  // namespace
 
 ExitCode report_farm_status(const std::string& folder, bool as_json, Environment& env) {
@@ -224,6 +233,7 @@ ExitCode report_farm_status(const std::string& folder, bool as_json, Environment
   if (status.is_complete()) {
     remove_farm_run(job, run);
   } else {
+    check_pack(job);
     status.move_damaged();
     run = status.retry();
     make_farm_folders(job);

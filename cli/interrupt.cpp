@@ -60,6 +60,24 @@ InterruptGuard::~InterruptGuard() {
   while (handlers.load() > 0) std::this_thread::yield();  // a handler may use this guard
 }
 
+void Cancellation::request() {
+  const std::lock_guard lock(mutex_);
+  is_requested_ = true;
+  if (flag_ != nullptr) *flag_ = true;
+}
+
+Cancellation::Scope::Scope(Cancellation& cancellation, std::atomic<bool>& flag)
+    : cancellation_(cancellation) {
+  const std::lock_guard lock(cancellation.mutex_);
+  cancellation.flag_ = &flag;
+  if (cancellation.is_requested()) flag = true;
+}
+
+Cancellation::Scope::~Scope() {
+  const std::lock_guard lock(cancellation_.mutex_);
+  cancellation_.flag_ = nullptr;
+}
+
 KilledBySignals::KilledBySignals(pid_t process) noexcept {
   for (std::atomic<pid_t>& child : children) {
     pid_t none = 0;

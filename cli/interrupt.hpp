@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <mutex>
 
 #include <sys/types.h>
 
@@ -24,6 +25,31 @@ class InterruptGuard {
 
   std::atomic<bool>& flag_;
   InterruptGuard* const outer_;
+};
+
+/// Ends the renders of a command from another thread.
+class Cancellation {
+ public:
+  /// Ends the render under way, and those that follow.
+  void request();
+  bool is_requested() const noexcept { return is_requested_.load(); }
+
+  /// A render under way: `flag` is set when its end is requested.
+  class Scope {
+   public:
+    Scope(Cancellation& cancellation, std::atomic<bool>& flag);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Cancellation& cancellation_;
+  };
+
+ private:
+  std::mutex mutex_;
+  std::atomic<bool> is_requested_{false};
+  std::atomic<bool>* flag_ = nullptr;
 };
 
 /// A child process that a signal kills with this process, during its lifetime; if there is a free

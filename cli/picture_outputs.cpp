@@ -6,7 +6,7 @@
 #include "cli/accuracy_report.hpp"
 #include "cli/version.hpp"
 #include "render/image/atomic_file.hpp"
-#include "render/image/enlarge.hpp"
+#include "render/image/resize.hpp"
 #include "render/math/clock.hpp"
 
 namespace sdlc::cli {

@@ -63,9 +63,9 @@ void ProgressReporter::report() {
   if (style_ == ProgressStyle::Json) {
     if (seconds < schedule.next_seconds) return;
     schedule.next_seconds = seconds + 1;
-    out_ << fmt::format(R"({{"fraction": {:.4f}, "samples": {:.0f}, "rays_per_second": {:.0f}, )"
-                        R"("seconds": {:.1f}, "eta_seconds": {}}})",
-                        fraction, samples, rays_per_second, seconds,
+    out_ << fmt::format(R"({{"fraction": {:.4f}, "part": "{}", "samples": {:.0f}, )"
+                        R"("rays_per_second": {:.0f}, "seconds": {:.1f}, "eta_seconds": {}}})",
+                        fraction, part_.label, samples, rays_per_second, seconds,
                         std::isfinite(left) ? fmt::format("{:.1f}", left) : "null")
          << std::endl;
     return;

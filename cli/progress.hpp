@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "cli/status_line.hpp"
+#include "cli/terminal/status_line.hpp"
 #include "render/session/render.hpp"
 
 namespace sdlc::cli {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,9 +19,11 @@
 #include "cli/picture_outputs.hpp"
 #include "cli/render_job.hpp"
 #include "cli/render_options.hpp"
+#include "cli/render_watch.hpp"
 #include "cli/report_failure.hpp"
 #include "cli/scene_options.hpp"
-#include "cli/status_line.hpp"
+#include "cli/terminal/preview.hpp"
+#include "cli/terminal/status_line.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "lang/text/display_width.hpp"
@@ -96,10 +99,7 @@ ExitCode render_for_openjd(RenderOptions& options, RenderRun& run, Environment& 
   return code;
 }
 
-ExitCode run_render(RenderOptions& options, Environment& given_env) {
-  StatusLine line(given_env.err);
-  Environment env = given_env.with_err(line);
-  RenderRun run;
+ExitCode render_once(RenderOptions& options, RenderRun& run, StatusLine& line, Environment& env) {
   run.files = options.files.size();
   run.schedule->line = &line;
   ExitCode code = options.progress == "openjd" ? render_for_openjd(options, run, env)
@@ -110,6 +110,28 @@ ExitCode run_render(RenderOptions& options, Environment& given_env) {
     try_to_write(code, env, [&] { write_stats_so_far(options, run, env); });
   }
   return code;
+}
+
+ExitCode run_render(RenderOptions& options, Environment& given_env) {
+  StatusLine line(given_env.err);
+  Environment env = given_env.with_err(line);
+  std::optional<Preview> preview;
+  if (options.has_preview) {
+    if (!env.err_is_terminal) {
+      throw UsageError("--preview: standard error is not a terminal, which would show the picture");
+    }
+    preview.emplace(line);
+  }
+  if (options.watches) {
+    return render_and_watch(options, line, env,
+                            [&](RenderOptions& round, RenderRun& run, Environment& of_round) {
+                              run.preview = preview ? &*preview : nullptr;
+                              return render_once(round, run, line, of_round);
+                            });
+  }
+  RenderRun run;
+  run.preview = preview ? &*preview : nullptr;
+  return render_once(options, run, line, env);
 }
 
 }  // namespace
@@ -135,16 +157,17 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
       [options](std::uint64_t zoom) { options->zoom = static_cast<int>(zoom); },
       "Write each pixel as N x N pixels");
   add_shard_options(command, options->shard, options->shard_by);
-  command
-      .add_text(
-          "--checkpoint",
-          [options](const std::string& text) {
-            options->checkpoint_seconds = parse_duration("--checkpoint", text);
-          },
-          "Keep the samples in a film file every T, such as `60s`: in -o NAME.film, otherwise "
-          "beside the picture until it is finished. A video keeps its finished frames, too")
-      .type_name("T");
-  command.add_flag(
+  const Option checkpoint =
+      command
+          .add_text(
+              "--checkpoint",
+              [options](const std::string& text) {
+                options->checkpoint_seconds = parse_duration("--checkpoint", text);
+              },
+              "Keep the samples in a film file every T, such as `60s`: in -o NAME.film, otherwise "
+              "beside the picture until it is finished. A video keeps its finished frames, too")
+          .type_name("T");
+  const Option resume = command.add_flag(
       "--resume", options->resumes,
       "Go on from what --checkpoint has kept, if it is there, to the same bytes as in one go");
   add_whole_number(
@@ -154,10 +177,19 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
   command.add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   const Option no_clobber = command.add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                                              "Refuse to replace files");
+  const Option skip = command
+                          .add_flag("--skip-existing", options->skips_existing,
+                                    "Render only pictures whose files are not there")
+                          .excludes(no_clobber);
+  command.add_flag("--preview", options->has_preview,
+                   "Show the picture in the terminal while it is rendered");
   command
-      .add_flag("--skip-existing", options->skips_existing,
-                "Render only pictures whose files are not there")
-      .excludes(no_clobber);
+      .add_flag("--watch", options->watches,
+                "Render again whenever the scene, or a file that it reads, changes")
+      .excludes(checkpoint)
+      .excludes(resume)
+      .excludes(no_clobber)
+      .excludes(skip);
   command.add_flag("--fail-fast", options->fails_fast,
                    "End at the first scene or frame that fails; default: render the others");
   command
@@ -183,6 +215,7 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc render ring.scene -o ring.mp4\n"
       "  sdlc render ball.scene --crop 40%,40%,20%,20% --zoom 8 -o detail.png\n"
       "  sdlc render scenes/*.scene -o out/{name}.png --skip-existing\n"
+      "  sdlc render ball.scene --width 480 --samples 16 --preview --watch\n"
       "  sdlc render ball.scene --samples 65536 --checkpoint 60s --resume\n"
       "  sdlc render ball.scene --samples 4096 --shard 2/8 -o part2.film\n"
       "\n"

@@ -85,6 +85,9 @@ std::ostream& progress_stream(ProgressStyle style, Environment& env) {
   return style == ProgressStyle::OpenJd ? env.out : env.err;
 }
 
+/// A render with a limit has passes of few samples, which can be shown.
+constexpr double kNoTimeLimit = 1e9;
+
 /// The first pass is finished in any case.
 constexpr double kMinSecondsToTrace = 1e-3;
 
@@ -92,7 +95,7 @@ constexpr double kMinSecondsToTrace = 1e-3;
 render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                            const RenderOptions& options, const std::vector<Output>& outputs,
                            FilmJob* film, ProgressPart part, RenderStatistics& statistics,
-                           Environment& env) {
+                           RenderRun& run, Environment& env) {
   render::RenderMonitor monitor;
   monitor.on_tracing = [&] {
     // For ten million spheres, freed memory of the compiler and the BVH builder would keep 140 MB
@@ -107,12 +110,29 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
                             options.aovs.channels());
   };
   const InterruptGuard interrupt(monitor.cancel);
+  const Cancellation::Scope outdated(run.outdated, monitor.cancel);
+  const render::RenderSettings settings = lowered.settings;
+  const render::ToneMapping mapping = lowered.output.mapping;
+  if (run.preview != nullptr) {
+    run.preview->begin();
+    if (film == nullptr && !lowered.settings.has_goal()) lowered.settings.seconds = kNoTimeLimit;
+    monitor.on_pass = [&run, &mapping,
+                       width = lowered.settings.window().width](const render::Film& so_far) {
+      run.preview->show(so_far, width, mapping);
+    };
+  }
   if (film != nullptr) part.samples = film->samples_to_trace();
   const ProgressStyle style = progress_style(options, env);
-  const ProgressReporter progress(style, monitor, lowered.settings, progress_stream(style, env),
+  const ProgressReporter progress(style, monitor, settings, progress_stream(style, env),
                                   std::move(part));
-  if (film != nullptr) return film->render(monitor, env);
-  return render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
+  render::RenderResult result =
+      film != nullptr
+          ? film->render(monitor, env)
+          : render::render(std::move(kernel), std::move(lowered.scene), lowered.settings, monitor);
+  if (run.preview != nullptr && !result.picture.pixels.empty() && !run.outdated.is_requested()) {
+    run.preview->show(result.picture, mapping);
+  }
+  return result;
 }
 
 /// The pictures of one scene: one, or one for each frame.
@@ -127,7 +147,7 @@ class RenderJob {
     compiler_.emplace(*source_, program_options(options_.scene, env_), sink_);
     choose_frames();
     is_lost_ = sink_.has_errors();  // they do not depend on the frame
-    for (std::size_t i = 0; i < frames_.size() && !run_.interrupted.load(); ++i) {
+    for (std::size_t i = 0; i < frames_.size() && !run_.ends(); ++i) {
       const ExitCode of_frame = render_or_skip(i);
       if (of_frame == ExitCode::Interrupted) {
         code_ = graver(code_, of_frame);
@@ -138,6 +158,7 @@ class RenderJob {
       if (ends_early()) break;
     }
     finish_frames(0);
+    if (run_.outdated.is_requested()) return ExitCode::Interrupted;
     std::ranges::sort(failed_);
     report_frames();
     code_ = graver(code_, videos_.finish(finished_, options_.is_quiet(), env_));
@@ -177,7 +198,7 @@ class RenderJob {
       const ProgressReporter progress(style, monitor, {}, progress_stream(style, env_),
                                       progress_part(pending_.first()));
       while (!pending_.wait(std::chrono::milliseconds(50))) {
-        if (run_.interrupted.load()) pending_.cancel();
+        if (run_.ends()) pending_.cancel();
       }
     }
     return pending_.take();
@@ -468,7 +489,7 @@ class RenderJob {
     std::optional<LoweredFrame> lowered_frame = lower(frame, statistics);
     if (!lowered_frame) return ExitCode::Findings;
     auto& [lowered, kernel, choice_seconds] = *lowered_frame;
-    if (run_.interrupted.load()) return ExitCode::Success;  // between two frames
+    if (run_.ends()) return ExitCode::Success;  // between two frames
     find_inputs(lowered);
     if (options_.skips_existing && videos_.empty() &&
         are_written(output_request(lowered.output.output, frame))) {
@@ -532,14 +553,15 @@ class RenderJob {
                            .form = picture_form(options_, lowered),
                            .settings = settings,
                            .statistics = std::move(statistics)};
-    if (frames_.size() > 1 && film == nullptr &&
+    if (frames_.size() > 1 && film == nullptr && run_.preview == nullptr &&
         PendingFrames::may_render(settings, lowered.scene, outputs, options_.zoom)) {
       max_pending_ = PendingFrames::max(render::wanted_threads(settings.threads));
       add_pending(std::move(rendered), *std::move(lowered_frame));
       return ExitCode::Success;
     }
     rendered.result = trace(lowered, std::move(kernel), options_, outputs, film,
-                            progress_part(index), rendered.statistics, env_);
+                            progress_part(index), rendered.statistics, run_, env_);
+    if (!rendered.result.is_complete && run_.outdated.is_requested()) return ExitCode::Interrupted;
     rendered.result.build_seconds += choice_seconds;
     if (frames_.size() > 1 && film == nullptr && PendingFrames::may_wait(rendered)) {
       pending_.add(std::move(rendered));

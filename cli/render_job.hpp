@@ -12,6 +12,7 @@
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_options.hpp"
+#include "cli/terminal/preview.hpp"
 #include "render/math/clock.hpp"
 
 namespace sdlc::cli {
@@ -27,6 +28,12 @@ struct RenderRun {
   std::shared_ptr<ProgressSchedule> schedule = std::make_shared<ProgressSchedule>();
   std::atomic<bool> interrupted{false};
   std::optional<InterruptGuard> guard;
+  Preview* preview = nullptr;  ///< null without --preview
+  /// --watch: the scene has changed, and nothing of it is written.
+  Cancellation outdated;
+
+  /// Whether no further picture is begun.
+  bool ends() const noexcept { return interrupted.load() || outdated.is_requested(); }
 };
 
 /// Writes RenderRun::stats to the file of --stats, if it is one. Throws IoError.

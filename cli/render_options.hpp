@@ -38,6 +38,8 @@ struct RenderOptions {
   bool fails_fast = false;
   int crf = 18;  // VideoSettings::crf
   bool quiet = false;
+  bool watches = false;
+  bool has_preview = false;
 
   /// Whether only diagnostics and failures are printed.
   bool is_quiet() const { return quiet || progress == "none"; }

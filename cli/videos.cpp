@@ -14,9 +14,9 @@
 #include "cli/usage_error.hpp"
 #include "lang/text/display_width.hpp"
 #include "render/image/atomic_file.hpp"
-#include "render/image/enlarge.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
+#include "render/image/resize.hpp"
 
 namespace sdlc::cli {
 

@@ -10,6 +10,7 @@
 #include "cli/report/figures.hpp"
 #include "render/compare/color_map.hpp"
 #include "render/image/image.hpp"
+#include "render/image/resize.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -36,26 +37,6 @@ Picture errors_of(const Picture& picture, const Picture& reference) {
     errors.pixels[i] = LinearRgb{std::sqrt((d.r * d.r + d.g * d.g + d.b * d.b) / 3)};
   }
   return errors;
-}
-
-/// Averages over the pixels that each pixel of the smaller picture covers (a box filter).
-Picture shrunk(const Picture& picture, int width, int height) {
-  const auto edge = [](int i, int fewer, int count) {
-    return static_cast<int>(std::int64_t{i} * count / fewer);
-  };
-  Picture smaller(width, height);
-  for (int v = 0; v < height; ++v) {
-    const int top = edge(v, height, picture.height), bottom = edge(v + 1, height, picture.height);
-    for (int u = 0; u < width; ++u) {
-      const int left = edge(u, width, picture.width), right = edge(u + 1, width, picture.width);
-      LinearRgb sum;
-      for (int y = top; y < bottom; ++y) {
-        for (int x = left; x < right; ++x) sum = sum + picture.at(x, y);
-      }
-      smaller.at(u, v) = sum / static_cast<double>((bottom - top) * (right - left));
-    }
-  }
-  return smaller;
 }
 
 /// Chooses the noisiest of overlapping windows over the whole picture as the crop.
@@ -109,7 +90,7 @@ std::string Details::crop_of(const Picture& picture) const {
 
 std::string Details::error_map(const Picture& errors) const {
   std::vector<float> values;
-  for (const LinearRgb& error : shrunk(errors, layout_.map_width, layout_.map_height).pixels) {
+  for (const LinearRgb& error : render::shrunk(errors, layout_.map_width, layout_.map_height).pixels) {
     values.push_back(static_cast<float>(error.r));
   }
   return png_of(render::color_mapped(values, layout_.map_width, layout_.map_height, layout_.top),
@@ -120,7 +101,7 @@ void Details::add(const render::Configuration& configuration, int samples, const
                   const render::ReferencePicture& reference) {
   if (pictures_.empty()) {
     choose_layout(picture, reference);
-    const Picture whole = shrunk(reference.picture, layout_.map_width, layout_.map_height);
+    const Picture whole = render::shrunk(reference.picture, layout_.map_width, layout_.map_height);
     pictures_[kReferenceKey] = {.crop = crop_of(reference.picture), .map = png_of(whole, mapping_)};
   }
   pictures_[key_of(configuration, samples)] = {

@@ -222,6 +222,9 @@ TEST_F(Farm, StatusNamesPartsThatItsRetryRenders) {
                     HasSubstr("missing: parts/a.4.film"), HasSubstr("damaged: parts/a.2.film"),
                     HasSubstr("/job/retry.sh")));
   EXPECT_EQ(content("job/retry.tasks"), "- 2\n- 4\n");
+  fs::rename(folder_ / "job/a.sdlc.zip", folder_ / "away");
+  EXPECT_THAT(failure(2, "farm status job"), HasSubstr("it is missing, and the job renders it"));
+  fs::rename(folder_ / "away", folder_ / "job/a.sdlc.zip");
   succeed("sh job/retry.sh");
   succeed("\"$SDLC\" render a.scene -o a.png");
   expect_same("a.png", "job/frames/a.png");
@@ -504,7 +507,8 @@ TEST_F(Farm, WritesValidOpenJobDescriptions) {
 TEST_F(Farm, ReportsProgressToOpenJobDescription) {
   const ProgramResult result = sdlc("render a.scene --progress openjd -o a.png");
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, "openjd_progress: 100\n");
+  // A busy machine may report before the end, too.
+  EXPECT_THAT(result.out, testing::EndsWith("openjd_progress: 100\n"));
   const ProgramResult failed = sdlc("render gone.scene --progress openjd -o a.png");
   EXPECT_EQ(failed.exit_code, 2);
   EXPECT_EQ(failed.out, "openjd_fail: sdlc ended with status 2; standard error has the reason\n");
@@ -512,8 +516,10 @@ TEST_F(Farm, ReportsProgressToOpenJobDescription) {
               HasSubstr("writes to standard output"));
   EXPECT_THAT(failure(2, "render a.scene --progress openjd -o a.png --stats -"),
               HasSubstr("writes to standard output"));
-  const ProgramResult longer =
-      sdlc("render a.scene --progress openjd -o a.png --time 1500ms --samples 16777216");
+  const ProgramResult longer = shell(
+      "\"$SDLC\" render a.scene --progress openjd -o a.png --samples 16777216 >out & job=$!\n"
+      "until grep -q samples/s out || ! kill -0 $job; do sleep 0.01; done\n"
+      "kill -s KILL $job; cat out");
   EXPECT_THAT(longer.out,
               testing::ContainsRegex("openjd_progress: [0-9.]+\nopenjd_status: .* samples/s"));
 }

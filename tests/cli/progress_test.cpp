@@ -78,6 +78,7 @@ TEST(ProgressReporter, WritesAnObjectASecond) {
   const std::string text = reported(ProgressStyle::Json, std::chrono::milliseconds(1300));
   const auto json = nlohmann::json::parse(text.substr(0, text.find('\n')));
   EXPECT_EQ(json["fraction"], 0.5);
+  EXPECT_EQ(json["part"], "");
   EXPECT_EQ(json["samples"], 500);
   EXPECT_GT(json["rays_per_second"], 0);
   EXPECT_GT(json["eta_seconds"], 0.5);

@@ -1,6 +1,7 @@
-#include "render/image/enlarge.hpp"
+#include "render/image/resize.hpp"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace sdlc::render {
 namespace {
@@ -32,6 +33,25 @@ Layer enlarged(const Layer& layer, int width, int factor) {
   return {.name = layer.name,
           .values = enlarged(layer.values, static_cast<std::size_t>(width),
                              static_cast<std::size_t>(factor))};
+}
+
+Picture shrunk(const Picture& picture, int width, int height) {
+  const auto edge = [](int i, int fewer, int count) {
+    return static_cast<int>(std::int64_t{i} * count / fewer);
+  };
+  Picture smaller(width, height);
+  for (int v = 0; v < height; ++v) {
+    const int top = edge(v, height, picture.height), bottom = edge(v + 1, height, picture.height);
+    for (int u = 0; u < width; ++u) {
+      const int left = edge(u, width, picture.width), right = edge(u + 1, width, picture.width);
+      LinearRgb sum;
+      for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) sum = sum + picture.at(x, y);
+      }
+      smaller.at(u, v) = sum / static_cast<double>((bottom - top) * (right - left));
+    }
+  }
+  return smaller;
 }
 
 }  // namespace sdlc::render

@@ -7,8 +7,8 @@
 
 namespace sdlc::cli {
 
-/// The stream of a terminal with one line below all other output, which show() replaces. Threads
-/// may write and show() at the same time.
+/// The stream of a terminal with one line below all other output, which show() replaces, and
+/// perhaps a picture above it. Threads may write and show at the same time.
 class StatusLine final : public std::ostream {
  public:
   explicit StatusLine(std::ostream& terminal);
@@ -16,6 +16,12 @@ class StatusLine final : public std::ostream {
   StatusLine& operator=(const StatusLine&) = delete;
 
   void show(std::string_view text) { buffer_.show(text); }
+  /// Draws a picture of `rows` rows above the line: in the place of the one before, unless there
+  /// has been other output, or `is_new`. `drawing` begins at the left of the first row, and may
+  /// leave the cursor anywhere.
+  void show_picture(std::string_view drawing, int rows, bool is_new) {
+    buffer_.show_picture(drawing, rows, is_new);
+  }
 
  private:
   class Buffer final : public std::streambuf {
@@ -23,6 +29,7 @@ class StatusLine final : public std::ostream {
     explicit Buffer(std::ostream& terminal) : terminal_(terminal) {}
     ~Buffer() override { erase(); }
     void show(std::string_view text);
+    void show_picture(std::string_view drawing, int rows, bool is_new);
 
    private:
     int_type overflow(int_type c) override;
@@ -33,6 +40,7 @@ class StatusLine final : public std::ostream {
     std::mutex mutex_;
     std::ostream& terminal_;
     bool is_shown_ = false;
+    int picture_rows_ = 0;  // of the picture directly above the line
   };
 
   Buffer buffer_;

@@ -1,4 +1,9 @@
-#include "cli/status_line.hpp"
+#include "cli/terminal/status_line.hpp"
+
+#include <cstddef>
+#include <string>
+
+#include <fmt/format.h>
 
 namespace sdlc::cli {
 
@@ -12,9 +17,27 @@ void StatusLine::Buffer::show(std::string_view text) {
   is_shown_ = true;
 }
 
+void StatusLine::Buffer::show_picture(std::string_view drawing, int rows, bool is_new) {
+  const std::lock_guard lock(mutex_);
+  erase();
+  if (is_new || picture_rows_ != rows) {
+    // First the room, which may scroll the screen.
+    terminal_ << std::string(static_cast<std::size_t>(rows), '\n');
+    picture_rows_ = rows;
+  }
+  // The cursor is saved, because a picture may leave it anywhere.
+  terminal_ << fmt::format(
+                   "\x1b[{0}A\r\x1b"
+                   "7{1}\x1b"
+                   "8\x1b[{0}B\r",
+                   rows, drawing)
+            << std::flush;
+}
+
 StatusLine::Buffer::int_type StatusLine::Buffer::overflow(int_type c) {
   const std::lock_guard lock(mutex_);
   erase();
+  picture_rows_ = 0;
   if (c != traits_type::eof()) terminal_.put(static_cast<char>(c));
   return traits_type::not_eof(c);
 }
@@ -22,6 +45,7 @@ StatusLine::Buffer::int_type StatusLine::Buffer::overflow(int_type c) {
 std::streamsize StatusLine::Buffer::xsputn(const char* text, std::streamsize size) {
   const std::lock_guard lock(mutex_);
   erase();
+  picture_rows_ = 0;
   terminal_.write(text, size);
   return size;
 }

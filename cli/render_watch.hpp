@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "cli/environment.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/render_job.hpp"
+#include "cli/render_options.hpp"
+#include "cli/terminal/status_line.hpp"
+
+namespace sdlc::cli {
+
+/// Renders the scenes of the options once, for as long as RenderRun::outdated is not requested.
+using RenderOnce = std::function<ExitCode(RenderOptions&, RenderRun&, Environment&)>;
+
+/// `render --watch`: calls `render` again whenever a file that it has read changes, until Ctrl-C.
+/// Failures of a render are reported. Throws UsageError.
+ExitCode render_and_watch(const RenderOptions& options, StatusLine& line, Environment& env,
+                          const RenderOnce& render);
+
+}  // namespace sdlc::cli
