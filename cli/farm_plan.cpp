@@ -77,7 +77,7 @@ void divide(FarmJob& job, const FarmProbe& probe, std::uint32_t max_shards) {
 
 void divide_into(FarmJob& job, std::size_t tasks, std::uint32_t max_shards) {
   const std::size_t pictures = std::max<std::size_t>(job.frames.size(), 1);
-  if (max_shards > 0 && (job.frames.empty() || tasks > pictures)) {
+  if (max_shards > 0 && (job.frames.empty() || tasks >= 2 * pictures)) {
     job.shards =
         static_cast<std::uint32_t>(std::clamp<std::size_t>(tasks / pictures, 1, max_shards));
     return;

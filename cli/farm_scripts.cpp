@@ -83,7 +83,7 @@ done
 exit "$code"
 )sh";
 
-/// Reports the gravest status, with 75 as the least.
+/// Ends with the gravest status. 75, which means that parts are missing, is the least grave.
 constexpr const char* kMergeParts = R"sh(
 code=0
 while read -r frame; do
@@ -102,7 +102,8 @@ while read -r frame; do
   case $status in
     0) rm -f -- "frames/$base.partial.$extension" ;;
     75) [ "$code" -ne 0 ] || code=75 ;;
-    *) code=$status ;;
+    130) exit 130 ;;
+    *) if [ "$code" -eq 75 ] || [ "$status" -gt "$code" ]; then code=$status; fi ;;
   esac
 done <pictures.txt
 exit "$code"

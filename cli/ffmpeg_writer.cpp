@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
+#include <ctime>
 #include <initializer_list>
 #include <system_error>
 #include <thread>
@@ -28,6 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kProgram = "ffmpeg";
+// The bytes of H.264 and VP9 depend on the number of threads, and must not on the machine.
+constexpr const char* kThreads = "8";
 
 constexpr std::array kMuxers{"mp4", "webm", "matroska", "gif", "webp", "apng"};  // by VideoFormat
 
@@ -46,13 +49,21 @@ bool is_executable(const fs::path& path) {
   throw render::IoError("write", path, std::error_code(error, std::generic_category()));
 }
 
+/// The time that the process has computed, in nanoseconds.
+std::int64_t computing_time(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
 /// Decides when an ffmpeg that hangs is given up after an interruption.
 class Patience {
  public:
   explicit Patience(const std::atomic<bool>* interrupted) : interrupted_(interrupted) {}
 
   /// Whether it has not changed `progress` for long.
-  bool is_over(std::uintmax_t progress) {
+  bool is_over(std::int64_t progress) {
     constexpr double kMaxSeconds = 5;
     const bool is_interrupted = interrupted_ != nullptr && interrupted_->load();
     if (!is_interrupted || std::exchange(progress_, progress) != progress) {
@@ -63,7 +74,7 @@ class Patience {
 
  private:
   const std::atomic<bool>* interrupted_;
-  std::uintmax_t progress_ = 0;
+  std::int64_t progress_ = 0;
   render::Clock::time_point since_ = render::Clock::now();
 };
 
@@ -92,6 +103,7 @@ std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSetting
     add({"-vf", filter, "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709",
          "-color_range", "tv"});
     const std::string crf = fmt::to_string(settings.crf);
+    add({"-threads", kThreads});
     if (format == VideoFormat::WebM) {
       add({"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", crf, "-row-mt", "1"});
     } else {
@@ -99,7 +111,13 @@ std::vector<std::string> ffmpeg_arguments(VideoFormat format, const VideoSetting
     }
     if (format == VideoFormat::Mp4) add({"-movflags", "+faststart"});
   } else if (format == VideoFormat::Gif) {
-    add({"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none",
+    // One palette for all frames keeps all of them in memory, with four bytes a pixel.
+    constexpr double kMaxBytes = 1 << 30;
+    const bool is_one =
+        4.0 * settings.width * settings.height * static_cast<double>(settings.frames) <= kMaxBytes;
+    add({"-vf",
+         fmt::format("split[a][b];[a]palettegen=stats_mode={}[p];[b][p]paletteuse=dither=none{}",
+                     is_one ? "full" : "single", is_one ? "" : ":new=1"),
          "-loop", "0"});
   } else if (format == VideoFormat::WebP) {
     add({"-c:v", "libwebp_anim", "-lossless", "1", "-loop", "0"});
@@ -163,8 +181,7 @@ FfmpegWriter::~FfmpegWriter() {
   if (input_ >= 0) ::close(input_);
   if (process_ > 0) {
     ::kill(process_, SIGKILL);
-    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    reap(0);
   }
 }
 
@@ -178,7 +195,7 @@ void FfmpegWriter::add(std::span<const std::uint8_t> frame) {
     } else if (errno == EAGAIN) {
       pollfd ready{.fd = input_, .events = POLLOUT, .revents = 0};
       ::poll(&ready, 1, kPollMilliseconds);
-      if (patience.is_over(frame.size())) give_up();
+      if (patience.is_over(computing_time(process_))) give_up();
     } else if (errno != EINTR) {
       fail_encoding("ffmpeg ended early");
     }
@@ -200,22 +217,28 @@ void FfmpegWriter::fail_encoding(const char* cause) const {
 }
 
 void FfmpegWriter::give_up() const {
-  throw render::IoError("write", shown_, "ffmpeg hangs, and was ended after the interruption");
+  throw render::IoError("write", shown_,
+                        "ffmpeg did nothing for 5 s after the interruption, and was ended");
 }
 
 bool FfmpegWriter::wait() {
   Patience patience(interrupted_);
-  int status = 0;
   for (;;) {
-    const pid_t ended = ::waitpid(process_, &status, WNOHANG);
-    if (ended == process_) break;
-    if (ended < 0 && errno != EINTR) return false;
+    if (const std::optional<bool> has_succeeded = reap(WNOHANG)) return *has_succeeded;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::error_code ignored;
-    if (patience.is_over(fs::file_size(file_.temporary(), ignored))) give_up();
+    if (patience.is_over(computing_time(process_))) give_up();
   }
-  process_ = -1;
-  killed_.reset();
+}
+
+std::optional<bool> FfmpegWriter::reap(int flags) noexcept {
+  siginfo_t ended{};
+  while (::waitid(P_PID, static_cast<id_t>(process_), &ended, WEXITED | WNOWAIT | flags) != 0) {
+    if (errno != EINTR) return false;
+  }
+  if (ended.si_pid != process_) return std::nullopt;
+  killed_.reset();  // while no other process can have its number
+  int status = 0;
+  ::waitpid(std::exchange(process_, -1), &status, 0);
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

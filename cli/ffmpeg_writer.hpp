@@ -40,12 +40,14 @@ class FfmpegWriter final : public VideoWriter {
   double frames_per_second() const noexcept override { return frames_per_second_; }
 
  private:
-  /// Throws IoError, for a full disk if it is full: ffmpeg's status does not tell.
+  /// Throws IoError, for a full disk if it is full: the status of ffmpeg is the same.
   [[noreturn]] void fail_encoding(const char* cause) const;
   [[noreturn]] void give_up() const;
   /// Waits until ffmpeg has ended and returns whether it succeeded. Throws IoError if it is given
   /// up.
   bool wait();
+  /// Whether ffmpeg succeeded; nullopt if it runs, with WNOHANG in `flags`.
+  std::optional<bool> reap(int flags) noexcept;
 
   double frames_per_second_;
   std::filesystem::path shown_;

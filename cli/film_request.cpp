@@ -88,7 +88,6 @@ std::optional<FilmRequest> choose_films(const RenderOptions& options,
                       .checkpoint = {},
                       .checkpoint_seconds = options.checkpoint_seconds,
                       .resumes = options.resumes,
-                      .is_of_video = !context.checkpoint.empty(),
                       .shard = context.shard};
   if (context.shard) {
     check_shard(outputs, settings);
@@ -107,6 +106,7 @@ std::optional<FilmRequest> choose_films(const RenderOptions& options,
   }
   if (!options.checkpoint_seconds && !options.resumes) return std::nullopt;
   request.checkpoint = choose_checkpoint(outputs, context);
+  request.is_of_video = !context.checkpoint.empty();
   std::error_code error;
   if (!options.resumes && fs::exists(request.checkpoint, error)) {
     refuse_to_replace(request.checkpoint, "");

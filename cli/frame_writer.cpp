@@ -103,7 +103,9 @@ ExitCode write_frame(const RenderOptions& options, RenderedFrame& frame, FilmJob
                      Environment& env) {
   const render::RenderResult& result = frame.result;
   if (result.camera_samples == 0) return conclude(options, frame.settings, result, film, {}, env);
-  if (!result.is_complete) env.err << "interrupted; saving the partial picture" << std::endl;
+  if (!result.is_complete && !std::ranges::all_of(frame.outputs, &Output::is_film)) {
+    env.err << "interrupted; saving the partial picture" << std::endl;
+  }
   const auto start = render::Clock::now();
   Written written;
   if (film == nullptr || !film->is_shard()) {

@@ -1,6 +1,5 @@
 #include "cli/gif_writer.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <new>
@@ -13,16 +12,10 @@
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
-namespace {
-
-// Delays in 1/100 s. Browsers play shorter ones as 10; the field has 16 bits.
-constexpr double kMinDelay = 2, kMaxDelay = 65535;
-
-}  // namespace
 
 GifWriter::GifWriter(std::filesystem::path path, const VideoSettings& settings)
     : path_(std::move(path)),
-      frames_per_second_(std::clamp(settings.frames_per_second, 100 / kMaxDelay, 100 / kMinDelay)),
+      frames_per_second_(settings.frames_per_second),
       encoder_(render::image_codec().make_gif_encoder(settings.width, settings.height)) {
   if (!encoder_) throw std::bad_alloc();
 }

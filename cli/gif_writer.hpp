@@ -15,6 +15,7 @@ namespace sdlc::cli {
 /// encoded file is kept in memory until it is whole.
 class GifWriter final : public VideoWriter {
  public:
+  /// The rate is one that open_video() allows.
   GifWriter(std::filesystem::path path, const VideoSettings& settings);
 
   void add(std::span<const std::uint8_t> frame) override;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/frames.hpp"
+#include "render/image/atomic_file.hpp"
 #include "render/image/decoded_file.hpp"
 #include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
@@ -50,11 +51,6 @@ std::string obstacle(const fs::path& path, const render::DecodedImage& image,
   return {};
 }
 
-bool is_ours(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".kept.png") || name.ends_with(".kept.film");
-}
-
 }  // namespace
 
 KeptFrames::KeptFrames(const fs::path& video, int zoom)
@@ -87,6 +83,7 @@ std::optional<std::vector<std::uint8_t>> KeptFrames::find(int frame,
 
 void KeptFrames::keep(int frame, const render::StoredFilm& film, const render::Picture& picture,
                       const render::ToneMapping& mapping) const {
+  const render::ParentFolders folders(this->picture(frame));
   render::write_picture(this->picture(frame), picture,
                         {.mapping = mapping,
                          .metadata = {.entries = {{kOrigin, text_of(film.origin)},
@@ -94,13 +91,12 @@ void KeptFrames::keep(int frame, const render::StoredFilm& film, const render::P
                                                   {kZoom, fmt::to_string(zoom_)}}}});
 }
 
-void KeptFrames::remove() const {
+void KeptFrames::remove(const std::vector<int>& frames) const {
   std::error_code ignored;
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, ignored)) {
-    if (is_ours(entry.path())) files.push_back(entry.path());
+  for (const int frame : frames) {
+    fs::remove(picture(frame), ignored);
+    fs::remove(film(frame), ignored);
   }
-  for (const fs::path& file : files) fs::remove(file, ignored);
   fs::remove(folder_, ignored);
 }
 

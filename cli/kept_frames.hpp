@@ -26,11 +26,11 @@ class KeptFrames {
   /// The codes of a frame of `film`, as VideoWriter::add() takes them; nullopt if the frame was not
   /// kept. Throws FilmError if the kept one is of another picture, and IoError.
   std::optional<std::vector<std::uint8_t>> find(int frame, const render::StoredFilm& film) const;
-  /// `picture`: enlarged. Throws IoError.
+  /// Makes the folder. `picture`: enlarged. Throws IoError.
   void keep(int frame, const render::StoredFilm& film, const render::Picture& picture,
             const render::ToneMapping& mapping) const;
-  /// Removes all kept frames, and the folder if it is empty then.
-  void remove() const;
+  /// Removes these frames, and the folder if it is empty then.
+  void remove(const std::vector<int>& frames) const;
 
  private:
   std::filesystem::path picture(int frame) const;

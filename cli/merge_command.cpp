@@ -279,8 +279,9 @@ void add_merge_command(Command& program, Dispatcher& dispatcher) {
       "  sdlc merge part*.film -o frame.####.png\n"
       "\n"
       "If shards are missing, the partial picture is written as NAME.partial.EXT, and the exit "
-      "status is 75.\nA film that is damaged, of another picture, or there twice is named, nothing "
-      "is written, and the exit\nstatus is 1. Films of several frames are merged frame by frame.");
+      "status is 75.\nA film that is damaged, of another picture, or there twice is named, its "
+      "picture is not\nwritten, and the exit status is 1. Films of several frames are merged frame "
+      "by frame.");
   dispatcher.on(command, [options](Environment& env) { return run_merge(*options, env); });
 }
 

@@ -173,7 +173,8 @@ void add_render_command(Command& program, Dispatcher& dispatcher) {
   add_whole_number(
       command, "--crf", {.highest = 51},
       [options](std::uint64_t crf) { options->crf = static_cast<int>(crf); },
-      "Quality of mp4, mkv and webm: the constant rate factor, 0 is the best (18)");
+      "Quality of mp4, mkv and webm: the constant rate factor, 0 is the best, and not for all "
+      "players (18)");
   command.add_flag("--ppm-text", options->ppm_text, "Write PPM as decimal numbers");
   const Option no_clobber = command.add_flag("--no-clobber,!--overwrite", options->keeps_existing,
                                              "Refuse to replace files");

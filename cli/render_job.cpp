@@ -161,7 +161,7 @@ class RenderJob {
     if (run_.outdated.is_requested()) return ExitCode::Interrupted;
     std::ranges::sort(failed_);
     report_frames();
-    code_ = graver(code_, videos_.finish(finished_, options_.is_quiet(), env_));
+    code_ = graver(code_, videos_.finish(finished_ == frames_.size(), options_.is_quiet(), env_));
     return run_.interrupted.load() ? report_interrupted() : code_;
   }
 
@@ -315,34 +315,23 @@ class RenderJob {
       throw UsageError(fmt::format("`{}` is a video, but the scene has no `animation`",
                                    lang::printable(names.front())));
     }
-    if (!names.empty() && is_part()) {
-      throw UsageError(
-          fmt::format("a shard of each picture is a film: use -o NAME.{}.film instead of `{}`, or "
-                      "--shard-by frames",
-                      kFrameMark, lang::printable(names.front())));
+    if (!names.empty() && options_.shard) {
+      throw UsageError(fmt::format(
+          "--shard: `{}` is a video of all frames, and a shard has not all: use -o NAME.{}.{}",
+          lang::printable(names.front()), kFrameMark, is_part() ? "film" : "png"));
     }
     for (std::string& name : names) name = name_of_scene(name, options_.scene.given_name());
-    if (options_.skips_existing && skip_videos(names)) return;
-    videos_ = Videos(names, {.count = frames_.size(), .per_second = frames_per_second}, options_,
-                     run_.interrupted);
+    const bool has_videos = !names.empty();
+    videos_ = Videos(names, {.numbers = numbers_of_frames(), .per_second = frames_per_second},
+                     options_, run_.interrupted, env_);
+    if (has_videos && videos_.empty() && pictures_.empty()) frames_.clear();  // nothing to render
     videos_.check(InputSet(options_.files), run_.outputs, options_.keeps_existing);
   }
 
-  /// Removes the videos that are there. Returns whether that leaves nothing to render.
-  bool skip_videos(std::vector<std::string>& names) {
-    const bool has_videos = !names.empty();
-    std::erase_if(names, [&](const std::string& name) {
-      std::error_code error;
-      const std::uintmax_t size = fs::file_size(name, error);
-      if (error || size == 0) return false;
-      if (!options_.quiet) {
-        env_.err << fmt::format("`{}` is there already\n", lang::printable(name));
-      }
-      return true;
-    });
-    if (!has_videos || !names.empty() || !pictures_.empty()) return false;
-    frames_.clear();
-    return true;
+  std::vector<int> numbers_of_frames() const {
+    std::vector<int> numbers;
+    for (const std::optional<int> frame : frames_) numbers.push_back(frame.value_or(0));
+    return numbers;
   }
 
   /// Adds a frame that an earlier render has kept to the videos. Returns false if it has to be
@@ -540,7 +529,7 @@ class RenderJob {
                          record_of(lowered, frame, statistics, *request), env_);
         if (take_kept_frame(frame, *film_job)) return ExitCode::Success;
       } catch (const render::FilmError&) {
-        if (request->is_of_video) {  // so are the others, and the video cannot be whole
+        if (!videos_.empty()) {  // so are the others, and the video cannot be whole
           is_lost_ = true;
           videos_.leave_kept_frames();
         }
@@ -568,8 +557,9 @@ class RenderJob {
       return ExitCode::Success;
     }
     finish_frames(0);  // videos get the frames in order
+    const ExitCode of_pictures = write_frame(options_, rendered, film, env_);
     const ExitCode of_videos = add_to_videos(rendered, film);
-    const ExitCode code = graver(of_videos, write_frame(options_, rendered, film, env_));
+    const ExitCode code = graver(of_pictures, of_videos);
     rendered.is_written = rendered.is_written && of_videos == ExitCode::Success;
     return graver(code, note_written(rendered));
   }
@@ -596,8 +586,10 @@ class RenderJob {
     if (videos_.empty() || !frame.result.is_complete) return code;
     const auto start = std::chrono::steady_clock::now();
     try_to_write(code, env_, [&] {
+      // A frame is kept after its pictures: one that is kept has them.
+      const bool is_kept = film != nullptr && frame.is_written;
       videos_.add(*frames_[frame.index], frame.result.picture, frame.form.mapping,
-                  film != nullptr ? &film->film() : nullptr, env_);
+                  is_kept ? &film->film() : nullptr, env_);
     });
     is_lost_ = is_lost_ || (code != ExitCode::Success && pictures_.empty());
     frame.statistics.write_seconds += render::seconds_since(start);

@@ -19,11 +19,20 @@ struct FormatRow {
   VideoFormat format;
   std::string_view extension;
   bool is_only_video;
+  double min_rate, max_rate;  ///< in frames per second
 };
+// Delays are 1/100 s in GIF, at least 2 in browsers, and at most 65535; 1/1000 s in WebM, Matroska
+// and WebP, there with 24 bits.
+constexpr double kSlowest = 1e-6, kFastest = 1e6;
 constexpr std::array kFormats{
-    FormatRow{VideoFormat::Mp4, ".mp4", true},      FormatRow{VideoFormat::WebM, ".webm", true},
-    FormatRow{VideoFormat::Matroska, ".mkv", true}, FormatRow{VideoFormat::Gif, ".gif", false},
-    FormatRow{VideoFormat::WebP, ".webp", false},   FormatRow{VideoFormat::Apng, ".apng", true}};
+    FormatRow{VideoFormat::Mp4, ".mp4", true, kSlowest, kFastest},
+    FormatRow{VideoFormat::WebM, ".webm", true, kSlowest, 1000},
+    FormatRow{VideoFormat::Matroska, ".mkv", true, kSlowest, 1000},
+    FormatRow{VideoFormat::Gif, ".gif", false, 100.0 / 65535, 50},
+    FormatRow{VideoFormat::WebP, ".webp", false, 1000.0 / ((1 << 24) - 1), 1000},
+    FormatRow{VideoFormat::Apng, ".apng", true, kSlowest, kFastest}};
+
+const FormatRow& row_of(VideoFormat format) { return kFormats[static_cast<std::size_t>(format)]; }
 
 }  // namespace
 
@@ -35,9 +44,7 @@ std::optional<VideoFormat> video_format_of(const fs::path& path) {
   return found != kFormats.end() ? std::optional(found->format) : std::nullopt;
 }
 
-bool is_only_video(VideoFormat format) noexcept {
-  return kFormats[static_cast<std::size_t>(format)].is_only_video;
-}
+bool is_only_video(VideoFormat format) noexcept { return row_of(format).is_only_video; }
 
 void check_video_writer(VideoFormat format, const fs::path& shown) {
   if (format == VideoFormat::Gif || has_ffmpeg()) return;
@@ -47,7 +54,10 @@ void check_video_writer(VideoFormat format, const fs::path& shown) {
 }
 
 std::unique_ptr<VideoWriter> open_video(const fs::path& path, VideoFormat format,
-                                        const VideoSettings& settings) {
+                                        const VideoSettings& given) {
+  VideoSettings settings = given;
+  const FormatRow& row = row_of(format);
+  settings.frames_per_second = std::clamp(given.frames_per_second, row.min_rate, row.max_rate);
   if (format == VideoFormat::Gif && !has_ffmpeg()) {
     return std::make_unique<GifWriter>(path, settings);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,7 @@ bool is_only_video(VideoFormat format) noexcept;
 
 struct VideoSettings {
   int width = 0, height = 0;
+  std::size_t frames = 1;
   double frames_per_second = 24;
   /// Constant rate factor of H.264 and VP9, from 0, the best, to 51.
   int crf = 18;
@@ -47,7 +49,8 @@ class VideoWriter {
 /// need ffmpeg.
 void check_video_writer(VideoFormat format, const std::filesystem::path& shown);
 
-/// Writes with ffmpeg if it is in PATH. Throws IoError.
+/// Writes with ffmpeg if it is in PATH. Formats whose delays are whole units of time limit the
+/// rate. Throws IoError.
 std::unique_ptr<VideoWriter> open_video(const std::filesystem::path& path, VideoFormat format,
                                         const VideoSettings& settings);
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -35,13 +36,20 @@ std::vector<std::string> Videos::take_from(std::vector<std::string>& outputs, st
 }
 
 Videos::Videos(const std::vector<std::string>& names, VideoFrames frames,
-               const RenderOptions& options, const std::atomic<bool>& interrupted)
-    : frames_(frames),
+               const RenderOptions& options, const std::atomic<bool>& interrupted, Environment& env)
+    : frames_(std::move(frames)),
       crf_(options.crf),
       zoom_(options.zoom),
       interrupted_(&interrupted),
       resumes_(options.resumes) {
   for (const std::string& name : names) {
+    std::error_code error;
+    if (options.skips_existing && fs::file_size(name, error) > 0 && !error) {
+      if (!options.quiet) {
+        env.err << fmt::format("`{}` is there already\n", lang::printable(name));
+      }
+      continue;
+    }
     videos_.push_back({.path = name, .format = *video_format_of(name), .writer = nullptr});
   }
   if (empty() || (!options.checkpoint_seconds && !options.resumes)) return;
@@ -85,7 +93,7 @@ bool Videos::add_kept(int frame, const render::StoredFilm& film, Environment& en
 void Videos::add(int frame, const render::Picture& picture, const render::ToneMapping& mapping,
                  const render::StoredFilm* film, Environment& env) {
   const render::Picture large = enlarged(picture, zoom_);
-  if (kept_) {
+  if (kept_ && film != nullptr) {
     try {
       kept_->keep(frame, *film, large, mapping);
     } catch (const render::IoError& error) {  // the videos may still be finished
@@ -101,35 +109,37 @@ void Videos::encode(std::span<const std::uint8_t> codes, int width, int height) 
       video.writer = open_video(video.path, video.format,
                                 {.width = width,
                                  .height = height,
+                                 .frames = frames_.numbers.size(),
                                  .frames_per_second = frames_.per_second,
                                  .crf = crf_,
                                  .interrupted = interrupted_});
     }
     video.writer->add(codes);
   }
+  ++encoded_;
 }
 
-ExitCode Videos::finish(std::size_t finished, bool is_quiet, Environment& env) {
+ExitCode Videos::finish(bool are_frames_finished, bool is_quiet, Environment& env) {
   ExitCode code = ExitCode::Success;
+  const std::size_t count = frames_.numbers.size();
   for (Video& video : videos_) {
     const std::string shown = lang::printable(video.path);
-    if (finished == frames_.count) {
+    if (encoded_ == count) {
       try_to_write(code, env, [&] {
         video.writer->finish();
         if (is_quiet) return;
-        env.err << fmt::format("{}: {} {}, {} per second\n", shown, frames_.count,
-                               frames_.count == 1 ? "frame" : "frames",
-                               video.writer->frames_per_second());
+        env.err << fmt::format("{}: {} {}, {} per second\n", shown, count,
+                               count == 1 ? "frame" : "frames", video.writer->frames_per_second());
       });
     } else {
       env.err << fmt::format("error: `{}` was not written, because it has {} of {} frames\n", shown,
-                             finished, frames_.count);
+                             encoded_, count);
     }
     video.writer.reset();
   }
   if (!kept_) return code;
-  if (code == ExitCode::Success && finished == frames_.count) {
-    kept_->remove();
+  if (code == ExitCode::Success && are_frames_finished && encoded_ == count) {
+    kept_->remove(frames_.numbers);
   } else if (std::error_code ignored; fs::exists(kept_->folder(), ignored)) {
     env.err << fmt::format("--resume goes on from the frames in `{}`\n",
                            lang::printable(kept_->folder().string()));

@@ -24,7 +24,7 @@ namespace sdlc::cli {
 
 /// The frames of an animation, as its videos need them.
 struct VideoFrames {
-  std::size_t count = 1;
+  std::vector<int> numbers = {};
   double per_second = 24;
 };
 
@@ -37,10 +37,11 @@ class Videos {
   static std::vector<std::string> take_from(std::vector<std::string>& outputs, std::size_t frames);
 
   Videos() = default;
-  /// `names`: from take_from(), with the scene's name inserted. `interrupted`:
-  /// VideoSettings::interrupted. Throws UsageError if there are kept frames, and no --resume.
+  /// `names`: from take_from(), with the scene's name inserted; with --skip-existing those that are
+  /// there are left out. `interrupted`: VideoSettings::interrupted. Throws UsageError if there are
+  /// kept frames, and no --resume.
   Videos(const std::vector<std::string>& names, VideoFrames frames, const RenderOptions& options,
-         const std::atomic<bool>& interrupted);
+         const std::atomic<bool>& interrupted, Environment& env);
 
   bool empty() const noexcept { return videos_.empty(); }
   /// Foreseeable failures, before the first frame. Throws UsageError and IoError.
@@ -52,15 +53,15 @@ class Videos {
   /// because it was not kept or is damaged. Throws FilmError if it is of another picture than
   /// `film`, and IoError if a video cannot be written.
   bool add_kept(int frame, const render::StoredFilm& film, Environment& env);
-  /// Adds a rendered frame, and keeps it. `film` may be null if frames are not kept. Throws IoError
-  /// if a video cannot be written.
+  /// Adds a rendered frame; keeps it if frames are kept, unless `film` is null. Throws IoError if a
+  /// video cannot be written.
   void add(int frame, const render::Picture& picture, const render::ToneMapping& mapping,
            const render::StoredFilm* film, Environment& env);
   /// Kept frames are of another picture: they are left as they are.
   void leave_kept_frames() noexcept { kept_.reset(); }
-  /// Puts the videos in their places if they have all frames; `finished` were added. Reports
-  /// failures, and the videos unless `is_quiet`.
-  ExitCode finish(std::size_t finished, bool is_quiet, Environment& env);
+  /// Puts the videos in their places if they have all frames. Reports failures, and the videos
+  /// unless `is_quiet`. `are_frames_finished`: with their pictures; then they need not be kept.
+  ExitCode finish(bool are_frames_finished, bool is_quiet, Environment& env);
 
  private:
   struct Video {
@@ -73,6 +74,7 @@ class Videos {
 
   std::vector<Video> videos_;
   VideoFrames frames_;
+  std::size_t encoded_ = 0;  // frames
   int crf_ = 0, zoom_ = 1;
   const std::atomic<bool>* interrupted_ = nullptr;
   std::optional<KeptFrames> kept_;

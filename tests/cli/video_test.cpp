@@ -143,7 +143,7 @@ TEST_F(Videos, DoNotWaitForAnEncoderThatHangsAfterASignal) {
         "rm pid; exit $status");
     EXPECT_EQ(result.exit_code, status) << size << signals << result.err;
     if (*signals == '\0') {
-      EXPECT_THAT(result.err, HasSubstr("ffmpeg hangs, and was ended"));
+      EXPECT_THAT(result.err, HasSubstr("ffmpeg did nothing for 5 s after the interruption"));
     }
     EXPECT_THAT(names(), ElementsAre("bin", "film.scene"));
   }
@@ -189,9 +189,12 @@ TEST_F(KeptVideos, GoOnAfterAnInterruptionWithinAFrame) {
       "-o a.mp4 --checkpoint 1ms & job=$!\n"
       "until [ -e a.mp4.frames/0001.kept.film ] || ! kill -0 $job; do sleep 0.01; done\n"
       "kill -s KILL $job; wait $job");
-  ASSERT_EQ(run(render + "-o a.mp4 --resume").exit_code, 0);
+  ASSERT_TRUE(std::filesystem::exists(folder_ / "a.mp4.frames/0001.kept.film"));
+  ASSERT_EQ(run(render + "-o a.mp4 --resume --stats s.json").exit_code, 0);
   EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.frames"));
+  const std::string stats = content_of(folder_ / "s.json");
+  EXPECT_EQ(std::ranges::count(stats, '\n'), 2) << "frame 0 was not rendered again";
 }
 
 TEST_F(KeptVideos, RefuseFramesOfAnotherPicture) {
@@ -208,7 +211,11 @@ TEST_F(KeptVideos, RefuseFramesOfAnotherPicture) {
   write_text(folder_ / "film.scene", text.replace(text.find("(0, 0, 9)"), 9, "(0, 0, 8)"));
   EXPECT_THAT(error_of(1, "--resume"),
               HasSubstr("the video cannot go on from this frame: it differs in `camera`"));
-  EXPECT_THAT(error_of(1, "--resume"), testing::Not(HasSubstr("--resume goes on")));
+  // So is a later one, after a frame that is rendered.
+  std::filesystem::remove(folder_ / "a.mp4.frames/0000.kept.png");
+  EXPECT_THAT(error_of(1, "--resume"),
+              testing::AllOf(HasSubstr("0001.kept.png"), HasSubstr("differs in `camera`"),
+                             testing::Not(HasSubstr("--resume goes on"))));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "a.mp4.frames/0003.kept.png"));
 }
 
@@ -234,7 +241,8 @@ TEST_F(KeptVideos, RenderDamagedFramesAgain) {
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_THAT(result.err, HasSubstr("warning: cannot read `a.mp4.frames/0002.kept.png`"));
   EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mp4.frames")) << "frames 0 and 1 neither";
+  EXPECT_THAT(names_in(folder_ / "a.mp4.frames"), ElementsAre("0000.kept.png", "0001.kept.png"))
+      << "only those of the video";
 }
 
 TEST_F(KeptVideos, RenderFramesWithDamagedFilmsOrMetadataAgain) {
@@ -264,6 +272,70 @@ TEST_F(KeptVideos, RenderFramesWhosePicturesAreMissing) {
   EXPECT_EQ(content_of(folder_ / "f.0002.ppm"), third);
   const std::string stats = content_of(folder_ / "s.json");
   EXPECT_EQ(std::ranges::count(stats, '\n'), 11);
+}
+
+TEST_F(KeptVideos, DoNotTakePicturesOfBeforeForTheirOwn) {
+  std::string other = kColors;
+  write_text(folder_ / "film.scene", other.replace(other.find("i * 51"), 6, "i * 40"));
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o f.####.ppm").exit_code, 0);
+  write_text(folder_ / "film.scene", kColors);
+  // Pictures have 1.7 kB, kept frames less than 1.5 kB.
+  const std::string render = "\"$SDLC\" render film.scene -o f.####.ppm -o a.mp4 ";
+  EXPECT_NE(run("trap '' XFSZ; prlimit --fsize=1600 " + render + "--checkpoint 60s").exit_code, 0);
+  ASSERT_EQ(run(render + "--resume").exit_code, 0);
+  const std::string second = content_of(folder_ / "f.0001.ppm");
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o f.####.ppm").exit_code, 0);
+  EXPECT_EQ(second, content_of(folder_ / "f.0001.ppm"));
+}
+
+TEST_F(KeptVideos, AreKeptBesideFilms) {
+  const std::string render = "\"$SDLC\" render film.scene --samples 2 -o a.mp4 -o f.####.film ";
+  write_text(folder_ / "film.scene", std::string(kColors) + kFailing);
+  EXPECT_EQ(run(render + "--checkpoint 60s --fail-fast").exit_code, 1);
+  EXPECT_THAT(names_in(folder_ / "a.mp4.frames"), testing::SizeIs(4));
+  write_text(folder_ / "f.0004.film", "no film");
+  write_text(folder_ / "film.scene", kColors);
+  const ProgramResult result = run(render + "--resume");
+  EXPECT_EQ(result.exit_code, 1) << "a film of the user is not replaced";
+  EXPECT_EQ(content_of(folder_ / "f.0004.film"), "no film");
+}
+
+TEST_F(KeptVideos, GoOnBesideAVideoThatIsThere) {
+  stop_at_frame_4("-o a.mp4 -o b.apng");
+  write_text(folder_ / "a.mp4", "mine");
+  ASSERT_EQ(run("\"$SDLC\" render film.scene -o a.mp4 -o b.apng --resume --skip-existing "
+                "--stats s.json")
+                .exit_code,
+            0);
+  const std::string stats = content_of(folder_ / "s.json");
+  EXPECT_EQ(std::ranges::count(stats, '\n'), 10);
+  EXPECT_THAT(names(), ElementsAre("a.mp4", "b.apng", "film.scene", "s.json"));
+}
+
+TEST_F(Videos, HaveRatesThatTheirFormatAllows) {
+  std::string text = kColors;
+  write_text(folder_ / "fast.scene", text.replace(text.find("fps: 2"), 6, "fps: 120"));
+  const ProgramResult result =
+      run("\"$SDLC\" render fast.scene -o a.gif -o a.mp4 -o a.webm --frames 0-9");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("a.gif: 10 frames, 50 per second\n"));
+  EXPECT_THAT(result.err, HasSubstr("a.mp4: 10 frames, 120 per second\n"));
+  EXPECT_EQ(run("ffprobe -v error -show_entries stream=avg_frame_rate -of csv=p=0 a.gif").out,
+            "50/1\n");
+  text.replace(text.find("fps: 120"), 8, "fps: 9999");
+  write_text(folder_ / "fast.scene", text);
+  const ProgramResult faster =
+      run("\"$SDLC\" render fast.scene --frames 0-9 -o a.gif -o a.mp4 -o a.webm -o a.mkv "
+          "-o a.webp -o a.apng");
+  EXPECT_EQ(faster.exit_code, 0) << faster.err;
+}
+
+TEST_F(Videos, AreTheSameOnAnyNumberOfProcessors) {
+  const std::string render = "\"$SDLC\" render film.scene --width 640 --height 360 -o ";
+  ASSERT_EQ(run("taskset -c 0 " + render + "a.mp4 -o a.webm").exit_code, 0);
+  ASSERT_EQ(run(render + "b.mp4 -o b.webm").exit_code, 0);
+  EXPECT_EQ(content_of(folder_ / "a.mp4"), content_of(folder_ / "b.mp4"));
+  EXPECT_EQ(content_of(folder_ / "a.webm"), content_of(folder_ / "b.webm"));
 }
 
 TEST_F(Videos, AreNotThereIfTheirEndCannotBeWritten) {
@@ -297,7 +369,9 @@ TEST_F(Videos, AreRefusedWhereTheyCannotBe) {
   EXPECT_EQ(content_of(folder_ / "a.mp4"), "mine");
   EXPECT_THAT(
       error_of("\"$SDLC\" render film.scene --samples 600 --shard 1/2 --shard-by samples -o b.mp4"),
-      HasSubstr("a shard of each picture is a film"));
+      HasSubstr("a video of all frames, and a shard has not all: use -o NAME.####.film"));
+  EXPECT_THAT(error_of("\"$SDLC\" render film.scene --shard 1/2 -o b.mp4"),
+              HasSubstr("use -o NAME.####.png"));
   write_text(folder_ / "still.scene",
              "scene 1\ncamera main { from: (0, 0, 9), at: (0, 0, 0), fov: 40deg }\n");
   EXPECT_THAT(error_of("\"$SDLC\" render still.scene --samples 1 -o b.webm"),
