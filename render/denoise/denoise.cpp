@@ -91,8 +91,10 @@ Denoised denoise(CrossFilter& filter, const Film& film, std::span<const PixelFea
     const double others = noise - own * own * around;
     const double bias = squared_error - noise / 4;
     error.squared_error = squared_error;
-    error.variance = square(spreads[pixel].covariance / unit / unit * (1 - 2 * own)) / 6 +
-                     around * bias + 4 * around * others / 6;
+    error.noise = noise / 4;
+    error.variance_of_noise = square(spreads[pixel].covariance / unit / unit * (1 - 2 * own)) / 6 +
+                              4 * around * std::max(others, 0.0) / 6;
+    error.variance = error.variance_of_noise + around * bias;
   };
   const int columns = (width + kFilterTile - 1) / kFilterTile,
             rows = (height + kFilterTile - 1) / kFilterTile;

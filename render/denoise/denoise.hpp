@@ -16,7 +16,9 @@ struct DenoisedError {
   /// An unbiased estimate of the squared error, of noise and of bias together, summed over
   /// channels. It may be negative.
   double squared_error = 0;
+  double noise = 0;     ///< the part of it that noise has on average
   double variance = 0;  ///< of this estimate; only sums over many pixels have a meaning
+  double variance_of_noise = 0;  ///< the part of it that no bias has added; not negative
 };
 
 struct Denoised {

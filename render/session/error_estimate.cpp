@@ -52,20 +52,24 @@ std::optional<ErrorEstimate> estimate_error(const Picture& picture,
 
 std::optional<ErrorEstimate> estimate_error(const ErrorEstimate& plain,
                                             std::span<const DenoisedError> errors) {
-  double sum = 0;
-  PooledVariance of_sum;
+  double sum = 0, noise = 0;
+  PooledVariance of_sum, of_noise;
   for (const DenoisedError& error : errors) {
     sum += error.squared_error;
+    noise += error.noise;
     of_sum.add(error.variance);
+    of_noise.add(error.variance_of_noise);
   }
-  const double half_width = of_sum.half_width();
+  // The squared bias, what is not noise, is estimated, and may come out negative. It is not: then
+  // the error is the noise, and the interval that of noise.
+  const double half_width = std::max(of_sum.half_width(), of_noise.half_width());
   if (!std::isfinite(sum + half_width)) return std::nullopt;
   const auto relative = [&](double squares) {
     return std::sqrt(std::max(0.0, squares) / (3 * static_cast<double>(errors.size())));
   };
   ErrorEstimate estimate = plain;
-  estimate.relative_error = relative(sum);
-  estimate.interval = {relative(sum - half_width), relative(sum + half_width)};
+  estimate.relative_error = relative(std::max(sum, noise));
+  estimate.interval = {relative(sum - half_width), relative(std::max(sum, noise) + half_width)};
   return estimate;
 }
 

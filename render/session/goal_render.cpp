@@ -19,6 +19,15 @@ bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters) 
   return unseen > result.error->interval.to / 2;
 }
 
+bool may_see_more(const ErrorGoal& goal, const EmitterTally& emitters, std::uint64_t samples) {
+  // Limited, because a kind of path that was never found may be occluded everywhere.
+  constexpr std::uint64_t kMaxBlindSamples = 1024;
+  return goal.is_blind() && (samples < kMaxBlindSamples ||
+                             std::ranges::none_of(emitters.rare(), [](const RarePath& path) {
+                               return path.paths < EmitterTally::kWitnesses;
+                             }));
+}
+
 GoalRender::GoalRender(PictureTracer& tracer, const RenderSettings& settings,
                        const EmitterTally& emitters, Clock::time_point start,
                        RenderMonitor& monitor, Film& film, RenderResult& result)
@@ -123,7 +132,8 @@ void GoalRender::run() {
   }
   estimate();
   result_.has_reached_error =
-      settings_.error && result_.error && result_.error->interval.to <= *settings_.error;
+      settings_.error && result_.error && result_.error->interval.to <= *settings_.error &&
+      !(goal_ && may_see_more(*goal_, emitters_, result_.min_samples));
   if (result_.min_samples != result_.max_samples) {
     result_.samples_of_pixels = samples_of_film();
   }
@@ -152,7 +162,7 @@ void GoalRender::run_uniform() {
       report_progress(to_go * to_go);
       goal_->record(*samples, *unsettled_, has_unseen_error(result_, emitters_));
       const bool is_done =
-          goal_->is_reached(*result_.error) && !(goal_->is_blind() && may_see_more(*samples));
+          goal_->is_reached(*result_.error) && !may_see_more(*goal_, emitters_, *samples);
       if (is_done || *samples >= max_samples) return;
       samples = goal_->samples_after(*samples);
     } else if (*samples >= max_samples) {
@@ -166,15 +176,6 @@ void GoalRender::run_uniform() {
       samples = std::min(next, max_samples);
     }
   }
-}
-
-bool GoalRender::may_see_more(std::uint64_t samples) const {
-  // Limited, because a kind of path that was never found may be occluded everywhere.
-  constexpr std::uint64_t kMaxBlindSamples = 1024;
-  return samples < kMaxBlindSamples ||
-         std::ranges::none_of(emitters_.rare(), [](const RarePath& path) {
-           return path.paths < EmitterTally::kWitnesses;
-         });
 }
 
 void GoalRender::run_adaptive() {

@@ -21,6 +21,10 @@ namespace sdlc::render {
 /// picture, an eighth in total. False if the error is not known anyway.
 bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters);
 
+/// Whether rare kinds of path have hidden noise from the last passes (ErrorGoal::is_blind()), and
+/// more than `samples` per pixel may show it. Then no goal is reached.
+bool may_see_more(const ErrorGoal& goal, const EmitterTally& emitters, std::uint64_t samples);
+
 /// A render with a goal: passes over the whole picture until a goal is reached.
 class GoalRender {
  public:
@@ -43,8 +47,6 @@ class GoalRender {
   /// was the last pass because of the time limit or cancellation.
   bool pass(std::span<const std::uint32_t> samples);
   void run_uniform();
-  /// Whether more samples may show the noise of rare paths that hide the error.
-  bool may_see_more(std::uint64_t samples) const;
   void run_adaptive();
   /// Begins with these samples of each pixel, of which there may be more already.
   void run_adaptive(std::vector<std::uint32_t> samples);

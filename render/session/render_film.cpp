@@ -9,6 +9,7 @@
 
 #include "render/parallel/workers.hpp"
 #include "render/session/error_goal.hpp"
+#include "render/session/goal_render.hpp"
 #include "render/session/film_keeper.hpp"
 #include "render/session/picture_tracer.hpp"
 #include "render/shading/emitter_tally.hpp"
@@ -259,14 +260,15 @@ RenderResult result_of(const StoredFilm& stored) {
   }
   if (!result.is_complete) return result;
   if (is_known) result.error = estimate_error(result.picture, result.spreads);
+  EmitterTally emitters(stored.emitter_classes, settings.depth);
+  emitters.restore(stored.emitters);
   if (settings.error && result.error) {
     ErrorGoal goal(*settings.error, static_cast<std::uint64_t>(settings.samples));
     goal.restore(stored.passes);
     if (!settings.is_adaptive) result.error = goal.settled(counts.min, *result.error);
-    result.has_reached_error = goal.is_reached(*result.error);
+    result.has_reached_error =
+        goal.is_reached(*result.error) && !may_see_more(goal, emitters, counts.min);
   }
-  EmitterTally emitters(stored.emitter_classes, settings.depth);
-  emitters.restore(stored.emitters);
   check_error(emitters, result);
   return result;
 }

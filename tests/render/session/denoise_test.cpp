@@ -1,4 +1,6 @@
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -58,6 +60,34 @@ TEST(DenoisedRender, HasTheErrorThatItStates) {
   }
   // 95 %, less 4 binomial standard errors.
   EXPECT_GE(covered, 0.83 * kSeeds);
+}
+
+TEST(DenoisedRender, HasTheErrorThatItStatesInAFewPixels) {
+  Scene matt = test::beam_scene({0, 1, 4}, {0, 0, 0}, LinearRgb{0.5});
+  matt.camera.aspect = 4.0 / 3;
+  matt.camera.plane_height = 0.8;
+  test::add_sphere(matt, {0, -100.5, 0}, 100, test::diffuse({0.5, 0.6, 0.3}));
+  test::add_sphere(matt, {0.3, 0, 0}, 0.5, test::diffuse({0.9, 0.2, 0.1}));
+  RenderSettings few = kDenoised;
+  few.crop = PixelWindow{.x = 30, .y = 45, .width = 4, .height = 3};  // on the ground
+  few.samples = 8;
+  RenderSettings settings = plain(few);
+  settings.samples = 1 << 18;
+  settings.seed = 77;
+  const Picture reference = rendered(matt, settings).picture;
+  int denoised = 0, above = 0;
+  for (int seed = 0; seed < 300; ++seed) {
+    settings = few;
+    settings.seed = static_cast<std::uint64_t>(seed);
+    const RenderResult result = rendered(matt, settings);
+    if (!result.plain_error) continue;
+    ++denoised;
+    EXPECT_LT(result.error->interval.from, result.error->interval.to) << seed;
+    above += test::relative_difference(result.picture, reference) > result.error->interval.to;
+  }
+  ASSERT_GT(denoised, 100);
+  // 5 %, and 4 binomial standard errors.
+  EXPECT_LE(above, 0.05 * denoised + 4 * std::sqrt(0.05 * 0.95 * denoised));
 }
 
 TEST(DenoisedRender, TracesTheSamePaths) {

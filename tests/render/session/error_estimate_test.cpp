@@ -57,6 +57,25 @@ TEST(EstimateError, DoesNotDependOnTheUnitOfRadiance) {
   EXPECT_EQ(relative(0x1p-480).interval, relative(1).interval);
 }
 
+TEST(EstimateError, OfADenoisedPictureIsAtLeastItsNoise) {
+  ErrorEstimate plain;
+  plain.relative_error = 0.5;
+  // 100 pixels whose noise is .03 each, known to √(.04 / 100).
+  std::vector<DenoisedError> errors(
+      100, {.squared_error = 0.05, .noise = 0.03, .variance = 0.06, .variance_of_noise = 0.04});
+  const double t = 1.984;  // quantile of 100 degrees of freedom
+  ErrorEstimate estimate = *estimate_error(plain, errors);
+  EXPECT_NEAR(estimate.relative_error, std::sqrt(5.0 / 300), 1e-12);
+  EXPECT_NEAR(estimate.interval.to, std::sqrt((5 + t * std::sqrt(6)) / 300), 1e-3);
+  // By chance, the squared bias of most pixels is estimated as negative: that has to show neither
+  // in the error nor in the width of the interval.
+  for (DenoisedError& error : errors) error = {-0.01, 0.03, -0.02, 0.04};
+  estimate = *estimate_error(plain, errors);
+  EXPECT_NEAR(estimate.relative_error, std::sqrt(3.0 / 300), 1e-12);
+  EXPECT_EQ(estimate.interval.from, 0);
+  EXPECT_NEAR(estimate.interval.to, std::sqrt((3 + t * std::sqrt(4)) / 300), 1e-3);
+}
+
 TEST(EstimateError, SaysNothingWhereSquaresAreNoNumbers) {
   const std::vector<PixelSpread> spreads(50, {.squared_error = HUGE_VAL, .covariance = HUGE_VAL});
   EXPECT_FALSE(estimate_error(grey_picture(50, 1e200), spreads));

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "render/session/goal_render.hpp"
+#include "render/shading/emitter_tally.hpp"
+
 namespace sdlc::render {
 namespace {
 
@@ -115,6 +118,19 @@ TEST(ErrorGoal, SettlesOnlyWhereAPassHadAWideInterval) {
   EXPECT_DOUBLE_EQ(settled.interval.from, std::sqrt(0.095 * 0.095 / 2));
   // That pass has less than a quarter of the samples.
   EXPECT_EQ(few_pixels.settled(513, with_interval(0.095, 0.105)).interval.to, 0.105);
+}
+
+TEST(ErrorGoal, IsNotReachedWhileItIsBlindAndMoreMayBeSeen) {
+  ErrorGoal goal(0.1, kMost);
+  const EmitterTally emitters(EmitterClasses{}, 8);
+  const auto record = [&](std::uint64_t samples, bool is_blind) {
+    goal.record(samples, error_of(static_cast<double>(samples), 1, -0.5), is_blind);
+    return may_see_more(goal, emitters, samples);
+  };
+  EXPECT_FALSE(record(32, false));
+  EXPECT_TRUE(record(64, true));
+  EXPECT_TRUE(record(72, false)) << "also in a render that ends here because of --samples";
+  EXPECT_FALSE(record(128, false));
 }
 
 TEST(ErrorGoal, IsBlindForTheRestOfAnOctave) {
