@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
@@ -117,8 +118,9 @@ ExitCode run_render(RenderOptions& options, Environment& given_env) {
   Environment env = given_env.with_err(line);
   std::optional<Preview> preview;
   if (options.has_preview) {
-    if (!env.err_is_terminal) {
-      throw UsageError("--preview: standard error is not a terminal, which would show the picture");
+    const char* const terminal = std::getenv("TERM");
+    if (!env.err_is_terminal || (terminal != nullptr && std::string_view(terminal) == "dumb")) {
+      throw UsageError("--preview: standard error is no terminal that can show a picture");
     }
     preview.emplace(line);
   }

@@ -170,8 +170,10 @@ class RenderJob {
     code_ = graver(code_, code);
     if (code == ExitCode::Success) return;
     failed_.push_back(frames_[index].value_or(0));
-    // The messages before do not say it.
-    if (frames_.size() > 1) env_.err << fmt::format("error: frame {} failed\n", failed_.back());
+    // The messages before do not say it; the last line names all.
+    constexpr std::size_t kMaxNamed = 3;
+    if (frames_.size() > 1 && failed_.size() <= kMaxNamed)
+      env_.err << fmt::format("error: frame {} failed\n", failed_.back());
   }
 
   /// Whether a frame has failed, and no later one is rendered.
