@@ -19,26 +19,18 @@ struct Environment {
   std::span<const std::string> arguments = {};  ///< of the command line, for commands that repeat
                                                 ///< it
 
-  /// The same with other files.
-  Environment with_workspace(lang::Workspace& other) const {
-    return {.workspace = other,
+  /// The same with other files, and another stream for messages.
+  Environment with(lang::Workspace& files, std::ostream& messages) const {
+    return {.workspace = files,
             .out = out,
-            .err = err,
+            .err = messages,
             .out_is_terminal = out_is_terminal,
             .err_is_terminal = err_is_terminal,
             .no_color = no_color,
             .arguments = arguments};
   }
-  /// The same with another stream for messages.
-  Environment with_err(std::ostream& other) const {
-    return {.workspace = workspace,
-            .out = out,
-            .err = other,
-            .out_is_terminal = out_is_terminal,
-            .err_is_terminal = err_is_terminal,
-            .no_color = no_color,
-            .arguments = arguments};
-  }
+  Environment with_workspace(lang::Workspace& other) const { return with(other, err); }
+  Environment with_err(std::ostream& other) const { return with(workspace, other); }
 };
 
 /// The environment of this process.

@@ -1,6 +1,5 @@
 #include "cli/file_watch.hpp"
 
-#include <algorithm>
 #include <array>
 #include <thread>
 
@@ -33,8 +32,8 @@ void FileWatch::add(const fs::path& path) {
   std::error_code ignored;
   const fs::path file = fs::absolute(path, ignored);
   const std::lock_guard lock(mutex_);
-  // The folders first: a change after the look is told.
   if (files_.contains(file)) return;
+  // The folders first: then a change after state_of() raises an event.
   watch_folder_of(file);
   if (fs::path target = fs::weakly_canonical(file, ignored); target != file) {
     watch_folder_of(target);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <string>
 #include <system_error>
 
 #include <sys/types.h>
@@ -53,32 +55,18 @@ class FileWatch {
 };
 
 /// The files of this machine. All that are read are watched.
-class WatchedFiles final : public lang::FileSystem {
+class WatchedFiles final : public lang::DiskFileSystem {
  public:
   explicit WatchedFiles(FileWatch& watch) : watch_(watch) {}
 
   std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t max,
                                   std::error_code& error) const override {
     watch_.add(path);
-    return disk_.read(path, max, error);
-  }
-  std::vector<lang::FolderEntry> list(const std::filesystem::path& folder) const override {
-    return disk_.list(folder);
-  }
-  bool is_special(const std::filesystem::path& path) const override {
-    return disk_.is_special(path);
-  }
-  std::optional<std::filesystem::path> link_target(
-      const std::filesystem::path& path) const override {
-    return disk_.link_target(path);
-  }
-  std::filesystem::path identity(const std::filesystem::path& path) const override {
-    return disk_.identity(path);
+    return DiskFileSystem::read(path, max, error);
   }
 
  private:
   FileWatch& watch_;
-  lang::DiskFileSystem disk_;
 };
 
 }  // namespace sdlc::cli

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
-#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>

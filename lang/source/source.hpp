@@ -113,7 +113,7 @@ class FileSystem {
 };
 
 /// The files of this machine.
-class DiskFileSystem final : public FileSystem {
+class DiskFileSystem : public FileSystem {
  public:
   std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t max,
                                   std::error_code& error) const override;
