@@ -9,7 +9,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <sys/types.h>
 
@@ -17,21 +20,36 @@
 
 namespace sdlc::cli {
 
-/// Notices when files are written, replaced, removed, or made where there were none. Changes on
-/// this machine are noticed at once where the system tells (inotify), all others within a second.
+/// Notices when files are written, replaced, removed, or made where there were none, and have other
+/// contents than before. Changes on this machine are noticed at once where the system tells
+/// (inotify), all others within a second. Several readers, such as scenes, may watch one file.
 class FileWatch {
  public:
+  using Reader = std::size_t;
+  struct Change {
+    std::filesystem::path path;
+    Reader reader = 0;
+  };
+
   FileWatch();
   ~FileWatch();
   FileWatch(const FileWatch&) = delete;
   FileWatch& operator=(const FileWatch&) = delete;
 
-  /// Watches a file, which need not be there, from its present state on. May be called by any
-  /// thread.
-  void add(const std::filesystem::path& path);
+  // All functions but wait() may be called by any thread.
+
+  /// Watches a file, which need not be there, from its present state on.
+  void add(const std::filesystem::path& path, Reader reader = 0);
+  /// What has been read of a watched file after add(): the same contents are no change.
+  void note_contents(const std::filesystem::path& path, std::string_view contents,
+                     Reader reader = 0);
+  /// The files of this reader are not watched any more.
+  void forget(Reader reader);
+  /// The number of files.
   std::size_t size() const;
-  /// Waits for a change, for at most this long. Returns a file that is not as it was in add().
-  std::optional<std::filesystem::path> wait(std::chrono::milliseconds time);
+  /// Waits for changes, for at most this long. Returns a file of each reader that is not as it was
+  /// in add(), and forgets these readers.
+  std::vector<Change> wait(std::chrono::milliseconds time);
 
  private:
   struct State {
@@ -41,14 +59,28 @@ class FileWatch {
 
     bool operator==(const State&) const = default;
   };
-  using Files = std::map<std::filesystem::path, std::optional<State>>;
+  struct Contents {
+    std::size_t size = 0;
+    std::uint64_t hash = 0;
+
+    bool operator==(const Contents&) const = default;
+  };
+  struct File {
+    std::optional<State> state;        // nullopt: it is not there
+    std::optional<Contents> contents;  // nullopt: unknown
+  };
+  using Key = std::pair<Reader, std::filesystem::path>;
 
   static std::optional<State> state_of(const std::filesystem::path& path);
+  static std::optional<Contents> contents_of(const std::filesystem::path& path, std::size_t size);
+  static Contents summary_of(std::string_view contents);
   void watch_folder_of(const std::filesystem::path& path);
-  std::optional<std::filesystem::path> find_changed();
+  std::vector<Change> find_changed(bool is_told);
+  /// Whether the file has other contents than `before`.
+  bool has_changed(const Key& key, const File& before, bool is_told);
 
   mutable std::mutex mutex_;
-  Files files_;
+  std::map<Key, File> files_;
   std::set<std::filesystem::path> folders_;
   int events_ = -1;  // of inotify; -1 if there is none
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
@@ -57,16 +89,20 @@ class FileWatch {
 /// The files of this machine. All that are read are watched.
 class WatchedFiles final : public lang::DiskFileSystem {
  public:
-  explicit WatchedFiles(FileWatch& watch) : watch_(watch) {}
+  explicit WatchedFiles(FileWatch& watch, FileWatch::Reader reader = 0)
+      : watch_(watch), reader_(reader) {}
 
   std::optional<std::string> read(const std::filesystem::path& path, std::uint64_t max,
                                   std::error_code& error) const override {
-    watch_.add(path);
-    return DiskFileSystem::read(path, max, error);
+    watch_.add(path, reader_);
+    std::optional<std::string> text = DiskFileSystem::read(path, max, error);
+    if (text && text->size() <= max) watch_.note_contents(path, *text, reader_);
+    return text;
   }
 
  private:
   FileWatch& watch_;
+  FileWatch::Reader reader_;
 };
 
 }  // namespace sdlc::cli

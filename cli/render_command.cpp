@@ -64,7 +64,6 @@ ExitCode render_files(RenderOptions& options, RenderRun& run, Environment& env) 
   if (run.files == 1) {
     return render_file(options.files.front());
   }
-  check_several(options);
   ExitCode code = ExitCode::Success;
   std::vector<std::string> failed;
   for (const std::string& file : options.files) {
@@ -114,6 +113,7 @@ ExitCode render_once(RenderOptions& options, RenderRun& run, StatusLine& line, E
 }
 
 ExitCode run_render(RenderOptions& options, Environment& given_env) {
+  if (options.files.size() > 1) check_several(options);
   StatusLine line(given_env.err);
   Environment env = given_env.with_err(line);
   std::optional<Preview> preview;

@@ -21,6 +21,7 @@
 #include "cli/frames.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/override_options.hpp"
+#include "cli/picture_memory.hpp"
 #include "cli/picture_outputs.hpp"
 #include "cli/report_failure.hpp"
 #include "cli/scene_figures.hpp"
@@ -46,29 +47,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Rejects a picture that does not fit into memory, before it is allocated.
-void check_memory(const render::RenderSettings& settings, const render::Aovs& aovs, bool has_film,
-                  int zoom) {
-  const std::size_t pixels = settings.window().pixels();
-  // The picture, its 32-bit copy, the encoded file, and the error estimates.
-  std::size_t pixel_bytes =
-      sizeof(render::LinearRgb) + 2 * 3 * sizeof(float) + sizeof(render::PixelSpread);
-  if (settings.has_goal() || settings.is_denoised || has_film) {
-    // A goal may need few samples.
-    const auto samples = settings.has_goal() ? render::kMinReplicatedSamples
-                                             : static_cast<std::uint64_t>(settings.samples);
-    pixel_bytes += render::Film::bytes_per_pixel(samples, channels_of(settings));
-  }
-  if (settings.is_denoised) pixel_bytes += render::PictureDenoiser::kBytesPerPixel;
-  std::size_t bytes = pixels * pixel_bytes + aov_bytes(aovs, pixels);
-  if (zoom > 1) {  // copies
-    const std::size_t large =
-        pixels * static_cast<std::size_t>(zoom) * static_cast<std::size_t>(zoom);
-    bytes += large * (sizeof(render::LinearRgb) + 2 * 3 * sizeof(float)) + aov_bytes(aovs, large);
-  }
-  if (bytes > physical_memory_bytes()) throw std::bad_alloc();
-}
-
 PictureForm picture_form(const RenderOptions& options, const lang::LoweredScene& lowered) {
   return {.mapping = lowered.output.mapping, .ppm_text = options.ppm_text, .zoom = options.zoom};
 }
@@ -84,9 +62,6 @@ ProgressStyle progress_style(const RenderOptions& options, const Environment& en
 std::ostream& progress_stream(ProgressStyle style, Environment& env) {
   return style == ProgressStyle::OpenJd ? env.out : env.err;
 }
-
-/// A render with a limit has passes of few samples, which can be shown.
-constexpr double kNoTimeLimit = 1e9;
 
 /// The first pass is finished in any case.
 constexpr double kMinSecondsToTrace = 1e-3;
@@ -115,9 +90,9 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
   const render::ToneMapping mapping = lowered.output.mapping;
   if (run.preview != nullptr) {
     run.preview->begin();
-    if (film == nullptr && !lowered.settings.has_goal()) lowered.settings.seconds = kNoTimeLimit;
-    monitor.on_pass = [&run, &mapping,
-                       width = lowered.settings.window().width](const render::Film& so_far) {
+    monitor.shows_passes = true;
+    monitor.on_pass = [&run, &mapping, width = lowered.settings.window().width](
+                          const render::Film& so_far, const auto& /*error*/) {
       run.preview->show(so_far, width, mapping);
     };
   }
@@ -511,7 +486,7 @@ class RenderJob {
                       .inputs = inputs_,
                       .sandbox = sandbox_ ? &*sandbox_ : nullptr,
                       .checkpoint = videos_.empty() ? fs::path() : videos_.checkpoint(*frame)});
-    check_memory(settings, options_.aovs, request.has_value(), options_.zoom);
+    check_picture_memory(settings, options_.aovs, request.has_value(), options_.zoom);
     check_not_refused(kernel);
 
     if (settings.seconds) {

@@ -10,11 +10,12 @@
 
 namespace sdlc::cli {
 
-/// Renders the scenes of the options once, for as long as RenderRun::outdated is not requested.
+/// Renders the scene of the options once, for as long as RenderRun::outdated is not requested.
 using RenderOnce = std::function<ExitCode(RenderOptions&, RenderRun&, Environment&)>;
 
-/// `render --watch`: calls `render` again whenever a file that it has read changes, until Ctrl-C.
-/// Failures of a render are reported. Throws UsageError.
+/// `render --watch`: calls `render` for each scene of the options, and again whenever a file that
+/// it has read for the scene changes, until Ctrl-C. Failures of a render are reported. Throws
+/// UsageError.
 ExitCode render_and_watch(const RenderOptions& options, StatusLine& line, Environment& env,
                           const RenderOnce& render);
 

@@ -31,6 +31,8 @@ void Preview::show(const render::Film& film, int width, const render::ToneMappin
 void Preview::show(const render::Picture& picture, const render::ToneMapping& mapping) {
   constexpr int kFreeRows = 3;  // for the prompt and messages
   constexpr std::chrono::milliseconds kPause(100);
+  // The old picture may have been torn: the next one appears below.
+  if (update_size(terminal_)) is_new_ = true;
   const PixelSize size = fitting_size(terminal_, picture.width, picture.height, kFreeRows);
   const render::Picture small = shrunk(picture, size.width, size.height);
   const std::vector<std::uint8_t> codes = codes_of(small, mapping);

@@ -19,13 +19,14 @@ class Preview {
 
   /// The next picture appears below the ones before.
   void begin();
-  /// Shows the picture so far, at most ten times a second. `width`: of the picture.
+  /// Shows the picture so far, at the present size of the terminal, at most ten times a second.
+  /// `width`: of the picture.
   void show(const render::Film& film, int width, const render::ToneMapping& mapping);
   void show(const render::Picture& picture, const render::ToneMapping& mapping);
 
  private:
   StatusLine& line_;
-  const Terminal terminal_;
+  Terminal terminal_;
   std::uint32_t id_;
   bool is_new_ = true;
   render::Clock::time_point next_{};

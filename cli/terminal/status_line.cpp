@@ -13,7 +13,8 @@ StatusLine::StatusLine(std::ostream& terminal) : std::ostream(nullptr), buffer_(
 
 void StatusLine::Buffer::show(std::string_view text) {
   const std::lock_guard lock(mutex_);
-  terminal_ << '\r' << text << "\x1b[K" << std::flush;
+  // The terminal cuts what is too long for a line, however wide it is now.
+  terminal_ << "\x1b[?7l\r" << text << "\x1b[K\x1b[?7h" << std::flush;
   is_shown_ = true;
 }
 

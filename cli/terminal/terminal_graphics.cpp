@@ -65,20 +65,6 @@ class RawTerminal {
     return answers;
   }
 
-  void put_size(Terminal& terminal) const {
-    winsize size{};
-    if (file_ < 0 || ::ioctl(file_, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 ||
-        size.ws_row == 0) {
-      return;
-    }
-    terminal.columns = size.ws_col;
-    terminal.rows = size.ws_row;
-    if (size.ws_xpixel >= size.ws_col && size.ws_ypixel >= size.ws_row) {
-      terminal.cell_width = size.ws_xpixel / size.ws_col;
-      terminal.cell_height = size.ws_ypixel / size.ws_row;
-    }
-  }
-
  private:
   static bool is_last_there(std::string_view answers) {
     const std::size_t start = answers.find("\x1b[?");
@@ -89,6 +75,21 @@ class RawTerminal {
   termios before_{};
   bool is_raw_ = false;
 };
+
+void put_size(Terminal& terminal) {
+  winsize size{};
+  const int file = ::open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (file < 0) return;
+  const bool is_known = ::ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
+  ::close(file);
+  if (!is_known) return;
+  terminal.columns = size.ws_col;
+  terminal.rows = size.ws_row;
+  if (size.ws_xpixel >= size.ws_col && size.ws_ypixel >= size.ws_row) {
+    terminal.cell_width = size.ws_xpixel / size.ws_col;
+    terminal.cell_height = size.ws_ypixel / size.ws_row;
+  }
+}
 
 /// The numbers between `begin` and `end`, separated by semicolons; none without them.
 std::vector<int> numbers_between(std::string_view text, std::string_view begin, char end) {
@@ -234,10 +235,16 @@ void read_answers(const std::string& answers, Terminal& terminal) {
   }
 }
 
+bool update_size(Terminal& terminal) {
+  const Terminal before = terminal;
+  put_size(terminal);
+  return terminal.columns != before.columns || terminal.rows != before.rows;
+}
+
 Terminal ask_terminal() {
   Terminal terminal;
   const RawTerminal tty;
-  tty.put_size(terminal);
+  put_size(terminal);
   // The console of Linux would show the first question; tmux and screen take it as a title.
   const char* const value = std::getenv("TERM");
   const std::string_view name = value != nullptr ? value : "";

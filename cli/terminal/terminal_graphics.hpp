@@ -23,6 +23,9 @@ struct Terminal {
 /// nothing gets half blocks, and so do tmux and screen.
 Terminal ask_terminal();
 
+/// Asks again for what a user may change: the size. Returns whether it is another.
+bool update_size(Terminal& terminal);
+
 /// What the answers to the questions of ask_terminal() say of the terminal.
 void read_answers(const std::string& answers, Terminal& terminal);
 

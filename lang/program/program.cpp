@@ -232,6 +232,7 @@ std::optional<std::string> Program::suggest_file(const FileRequest& request) {
   };
   const auto nearest =
       nearest_file(modules_[request.from]->path, request.written, request.is_include, list);
+  if (nearest == request.written) return std::nullopt;  // it is there, and cannot be read
   return nearest ? std::optional(fmt::format("\"{}\"", *nearest)) : std::nullopt;
 }
 

@@ -19,6 +19,17 @@ bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters) 
   return unseen > result.error->interval.to / 2;
 }
 
+ErrorSoFar known_error(const RenderResult& result, const EmitterTally& emitters) {
+  // Where no path found light and some were cut off, nothing is known of the error, which is
+  // relative to the light.
+  const bool is_cut_to_black =
+      result.error && result.error->mean == 0 && result.truncated_paths > 0;
+  if (is_cut_to_black || has_unseen_error(result, emitters)) {
+    return {.error = {}, .rare_paths = emitters.rare()};
+  }
+  return {.error = result.error, .rare_paths = {}};
+}
+
 bool may_see_more(const ErrorGoal& goal, const EmitterTally& emitters, std::uint64_t samples) {
   // Limited, because a kind of path that was never found may be occluded everywhere.
   constexpr std::uint64_t kMaxBlindSamples = 1024;
@@ -66,7 +77,7 @@ bool GoalRender::pass(std::span<const std::uint32_t> samples) {
       [this] { return is_late(); });
   is_first_pass_ = false;
   if (deadline_) reserve_time_to_finish();
-  if (monitor_.on_pass) monitor_.on_pass(film_);
+  if (monitor_.on_pass) monitor_.on_pass(film_, [this] { return error_so_far(); });
   if (deadline_) {
     report_progress(std::chrono::duration<double>(Clock::now() - start_).count() /
                     *settings_.seconds);
@@ -102,6 +113,15 @@ void GoalRender::reserve_time_to_finish() {
 }
 
 void GoalRender::estimate() {
+  estimate_plain();
+  if (denoiser_ != nullptr && result_.error) denoiser_->denoise(film_, spreads_, result_);
+  unsettled_ = result_.error;
+  if (goal_ && result_.error) {
+    result_.error = goal_->settled(result_.min_samples, *result_.error);
+  }
+}
+
+void GoalRender::estimate_plain() {
   spreads_.resize(film_.size());
   const SampleCounts counts = film_.sample_counts();
   result_.min_samples = counts.min;
@@ -117,11 +137,12 @@ void GoalRender::estimate() {
   result_.error.reset();
   result_.plain_error.reset();
   if (is_known) result_.error = estimate_error(result_.picture, spreads_);
-  if (denoiser_ != nullptr && result_.error) denoiser_->denoise(film_, spreads_, result_);
-  unsettled_ = result_.error;
-  if (goal_ && result_.error) {
-    result_.error = goal_->settled(result_.min_samples, *result_.error);
-  }
+}
+
+ErrorSoFar GoalRender::error_so_far() {
+  estimate_plain();
+  put_counts(tracer_.counts(), result_);
+  return known_error(result_, emitters_);
 }
 
 void GoalRender::run() {
@@ -131,9 +152,9 @@ void GoalRender::run() {
     run_uniform();
   }
   estimate();
-  result_.has_reached_error =
-      settings_.error && result_.error && result_.error->interval.to <= *settings_.error &&
-      !(goal_ && may_see_more(*goal_, emitters_, result_.min_samples));
+  result_.has_reached_error = settings_.error && result_.error &&
+                              result_.error->interval.to <= *settings_.error &&
+                              !(goal_ && may_see_more(*goal_, emitters_, result_.min_samples));
   if (result_.min_samples != result_.max_samples) {
     result_.samples_of_pixels = samples_of_film();
   }
@@ -148,14 +169,15 @@ void GoalRender::run() {
 
 void GoalRender::run_uniform() {
   const auto max_samples = static_cast<std::uint64_t>(settings_.samples);
-  // With only a time limit the first pass is as short as possible, and is finished.
-  std::optional<std::uint64_t> samples = goal_ ? goal_->first_samples() : 1;
+  // Without an error goal the first pass is as short as possible, and is finished.
+  std::optional<std::uint64_t> samples =
+      goal_ && !monitor_.shows_passes ? goal_->first_samples() : 1;
   // A pass that was cancelled is finished before it is judged.
   samples = std::max(*samples, film_.sample_counts().max);
   while (samples) {
     const auto of_pixel = static_cast<std::uint32_t>(*samples);
     if (!pass(std::span(&of_pixel, 1))) return;
-    if (goal_) {
+    if (goal_ && *samples >= goal_->first_samples()) {
       estimate();
       if (!result_.error) return;
       const double to_go = *settings_.error / result_.error->interval.to;
@@ -173,7 +195,7 @@ void GoalRender::run_uniform() {
               ? (*samples < kReplicates ? kReplicates : kMinReplicatedSamples)
               : *samples +
                     std::max<std::uint64_t>(kReplicates, *samples / 4 / kReplicates * kReplicates);
-      samples = std::min(next, max_samples);
+      samples = std::min(next, goal_ ? goal_->first_samples() : max_samples);
     }
   }
 }

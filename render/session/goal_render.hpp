@@ -21,11 +21,14 @@ namespace sdlc::render {
 /// picture, an eighth in total. False if the error is not known anyway.
 bool has_unseen_error(const RenderResult& result, const EmitterTally& emitters);
 
+/// The error of the picture, unless rare kinds of path, or paths that were cut off, may hide more.
+ErrorSoFar known_error(const RenderResult& result, const EmitterTally& emitters);
+
 /// Whether rare kinds of path have hidden noise from the last passes (ErrorGoal::is_blind()), and
 /// more than `samples` per pixel may show it. Then no goal is reached.
 bool may_see_more(const ErrorGoal& goal, const EmitterTally& emitters, std::uint64_t samples);
 
-/// A render with a goal: passes over the whole picture until a goal is reached.
+/// A render in passes over the whole picture, until a goal or the number of samples is reached.
 class GoalRender {
  public:
   /// Keeps references to all arguments. RenderSettings::seconds counts from `start`.
@@ -58,6 +61,9 @@ class GoalRender {
   void reserve_time_to_finish();
   /// Updates the picture, its error estimate and the numbers of samples.
   void estimate();
+  /// The part of it without denoising and goals.
+  void estimate_plain();
+  ErrorSoFar error_so_far();
 
   PictureTracer& tracer_;
   const RenderSettings& settings_;

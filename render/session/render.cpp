@@ -65,12 +65,6 @@ void render_at_once(PictureTracer& pictures, const Tracer& tracer, const RenderS
   if (settings.keeps_variance) result.spreads = std::move(spreads);
 }
 
-/// Whether no path found light and some were cut off: then nothing is known of the error, which is
-/// relative to the light.
-bool is_cut_to_black(const RenderResult& result) {
-  return result.error && result.error->mean == 0 && result.truncated_paths > 0;
-}
-
 /// Makes the picture what it was before it was denoised, if it was. Then no goal is reached:
 /// ErrorGoal did not go by the plain picture.
 void restore_plain(const Film* film, RenderResult& result) {
@@ -110,7 +104,8 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
       denoiser.emplace(scene, settings, result.threads, monitor);
       result.denoise_seconds = seconds_since(render_start);
     }
-    if (settings.has_goal()) {
+    const bool has_passes = monitor.shows_passes && extent_of(settings).replicates > 1;
+    if (settings.has_goal() || has_passes) {
       GoalRender goal(pictures, settings, emitters, start, monitor, *film, result);
       if (denoiser) goal.denoise_with(*denoiser);
       std::optional<FilmKeeper> keeper;
@@ -135,7 +130,9 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
       render_at_once(pictures, scene.tracer(), settings, monitor, denoiser ? &*denoiser : nullptr,
                      film, result);
       if (keeper) keeper->keep();
-      if (monitor.on_pass) monitor.on_pass(*film);
+      if (monitor.on_pass) {
+        monitor.on_pass(*film, [&] { return known_error(result, emitters); });
+      }
     }
   });
   result.render_seconds = seconds_since(render_start);
@@ -160,8 +157,9 @@ void put_counts(const TraceCounts& counts, RenderResult& result) noexcept {
 }
 
 void check_error(const EmitterTally& emitters, RenderResult& result) {
-  if (is_cut_to_black(result) || has_unseen_error(result, emitters)) {
-    result.rare_paths = emitters.rare();
+  ErrorSoFar known = known_error(result, emitters);
+  result.rare_paths = std::move(known.rare_paths);
+  if (result.error && !known.error) {
     result.error.reset();
     result.has_reached_error = false;
   }

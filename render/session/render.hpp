@@ -20,6 +20,12 @@
 
 namespace sdlc::render {
 
+/// What is known of the error of a picture between two passes.
+struct ErrorSoFar {
+  std::optional<ErrorEstimate> error;  ///< as in RenderResult
+  std::vector<RarePath> rare_paths;    ///< as in RenderResult
+};
+
 /// Progress of a render for other threads, and a means to cancel it.
 struct RenderMonitor {
   /// Set to end the render within milliseconds, or after the present tiles if it has a film.
@@ -30,8 +36,12 @@ struct RenderMonitor {
   std::atomic<double> goal_share{0};
   /// Called once, after everything is built and before the first path is traced.
   std::function<void()> on_tracing;
-  /// Called after each pass with the samples so far: once, at the end, if there is no goal.
-  std::function<void(const Film& film)> on_pass;
+  /// Called after each pass with the samples so far, and with a function that estimates the error
+  /// of the picture so far, which is not denoised.
+  std::function<void(const Film& film, const std::function<ErrorSoFar()>& error)> on_pass;
+  /// Whether passes begin with few samples, to be shown. They do not change the picture. A picture
+  /// of fewer than kMinReplicatedSamples samples has one pass.
+  bool shows_passes = false;
   /// With a time limit, called once, after an early pass, with the picture so far: the seconds that
   /// the caller needs after the render. The limit includes them.
   std::function<double(const Picture& picture)> seconds_to_finish;

@@ -9,8 +9,8 @@
 
 #include "render/parallel/workers.hpp"
 #include "render/session/error_goal.hpp"
-#include "render/session/goal_render.hpp"
 #include "render/session/film_keeper.hpp"
+#include "render/session/goal_render.hpp"
 #include "render/session/picture_tracer.hpp"
 #include "render/shading/emitter_tally.hpp"
 
@@ -195,7 +195,7 @@ bool render_part(const PreparedScene& scene, const RenderSettings& settings, Ren
     return pictures.trace_pass(
         film, [&](std::size_t pixel) { return targets[pixel]; }, [] { return false; });
   });
-  if (monitor.on_pass) monitor.on_pass(film);
+  if (monitor.on_pass) monitor.on_pass(film, [] { return ErrorSoFar{}; });
   keeper.keep();
   return is_whole;
 }

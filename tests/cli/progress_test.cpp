@@ -69,9 +69,9 @@ TEST(ProgressReporter, ShowsTheProgressOfManyShortRenders) {
         {.before = 0.25, .share = 0.1, .label = "frame 3 of 10", .schedule = schedule});
     last = terminal.str();
   }
-  EXPECT_THAT(last, testing::StartsWith("\r 25.0 %  frame 3 of 10  "));
+  EXPECT_THAT(last, HasSubstr("\r 25.0 %  frame 3 of 10  "));
   line << "a.png\n";
-  EXPECT_THAT(terminal.str(), EndsWith("left\x1b[K\r\x1b[Ka.png\n"));
+  EXPECT_THAT(terminal.str(), EndsWith("left\x1b[K\x1b[?7h\r\x1b[Ka.png\n"));
 }
 
 TEST(ProgressReporter, WritesAnObjectASecond) {

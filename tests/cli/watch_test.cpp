@@ -2,7 +2,9 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,12 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 /// The change that a watch finds, however long that takes.
 fs::path wait_for_change(cli::FileWatch& watch) {
   for (;;) {
-    if (const auto changed = watch.wait(std::chrono::milliseconds(50))) return *changed;
+    const auto changes = watch.wait(std::chrono::milliseconds(50));
+    if (!changes.empty()) return changes.front().path;
   }
 }
 
@@ -35,7 +39,7 @@ TEST(FileWatch, NoticesFilesThatAreWrittenReplacedMadeOrRemoved) {
   const auto change_after = [&](const char* watched, const auto& change) {
     cli::FileWatch watch;
     watch.add(folder / watched);
-    EXPECT_EQ(watch.wait(std::chrono::milliseconds(0)), std::nullopt);
+    EXPECT_THAT(watch.wait(std::chrono::milliseconds(0)), IsEmpty());
     change();
     EXPECT_EQ(wait_for_change(watch), folder / watched);
   };
@@ -61,7 +65,29 @@ TEST(FileWatch, IgnoresOtherFiles) {
   watch.add(folder / "a");
   EXPECT_EQ(watch.size(), 1);
   write_text(folder / "b", "one");
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(watch.wait(std::chrono::milliseconds(10)), std::nullopt);
+  for (int i = 0; i < 3; ++i) EXPECT_THAT(watch.wait(std::chrono::milliseconds(10)), IsEmpty());
+}
+
+TEST(FileWatch, TellsEachReaderOnceAndNobodyOfTheSameContents) {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "one");
+  cli::FileWatch watch;
+  std::error_code error;
+  for (const cli::FileWatch::Reader reader : {0, 1}) {
+    EXPECT_EQ(cli::WatchedFiles(watch, reader).read(folder / "a", 99, error), "one");
+  }
+  EXPECT_EQ(watch.size(), 1);
+  write_text(folder / "a", "one");
+  for (int i = 0; i < 3; ++i) EXPECT_THAT(watch.wait(std::chrono::milliseconds(10)), IsEmpty());
+  write_text(folder / "a", "two");
+  std::vector<cli::FileWatch::Reader> told;
+  while (told.size() < 2) {
+    for (const auto& change : watch.wait(std::chrono::milliseconds(50))) {
+      told.push_back(change.reader);
+    }
+  }
+  EXPECT_THAT(told, ElementsAre(0, 1));
+  EXPECT_EQ(watch.size(), 0);
 }
 
 TEST(Cancellation, EndsTheRenderUnderWayAndLaterOnes) {
@@ -78,6 +104,12 @@ TEST(Cancellation, EndsTheRenderUnderWayAndLaterOnes) {
   EXPECT_FALSE(first) << "it has ended";
   const cli::Cancellation::Scope scope(cancellation, second);
   EXPECT_TRUE(second);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
 }
 
 /// Runs `render --watch`; "wait_for N TEXT" waits until the messages have N lines with the text.
@@ -139,6 +171,19 @@ TEST_F(Watch, EndsARenderThatIsOutdated) {
                                      "wait_for 1 '^a.png: '");
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_THAT(result.err, Not(HasSubstr("partial"))) << "nothing of the old scene is written";
+}
+
+TEST_F(Watch, RendersOnlyTheScenesThatAFileBelongsTo) {
+  write_text(folder_ / "b.scene",
+             "scene 1\ncamera { from: (0, 0, 9), at: (0, 0, 0), fov: 1deg }\n");
+  const ProgramResult result =
+      watch("b.scene -o {name}.png --width 8",
+            "wait_for 1 '^watching 3 files'\n"
+            "touch colors.scene; sed -i 's/1, 2, 3/4, 5, 6/' colors.scene; wait_for 2 '^a.png: '\n"
+            "echo '// more' >>b.scene; wait_for 2 '^b.png: '");
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_EQ(count_of(result.err, "a.png: "), 2) << result.err;
+  EXPECT_EQ(count_of(result.err, "b.png: "), 2) << result.err;
 }
 
 TEST_F(Watch, StartsWithASceneThatIsBrokenOrMissing) {

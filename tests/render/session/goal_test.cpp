@@ -1,8 +1,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -232,6 +234,49 @@ TEST(GoalForTheError, IsNotReachedByALampThatIsOnlySeen) {
   EXPECT_FALSE(result.error);
 }
 
+TEST(Passes, ThatAreShownDoNotChangeThePictureOrItsError) {
+  const Scene scene = caustic(test::transmissive(LinearRgb{1}, 1.5), 0.3);
+  for (const std::optional<double> error : {std::optional<double>(), std::optional(0.2)}) {
+    RenderSettings settings{.width = 48, .height = 27, .samples = 100};
+    settings.error = error;
+    const RenderResult at_once = rendered(scene, settings);
+    RenderMonitor monitor;
+    monitor.shows_passes = true;
+    std::vector<std::uint64_t> samples;
+    ErrorSoFar last;
+    monitor.on_pass = [&](const Film& film, const std::function<ErrorSoFar()>& error_so_far) {
+      samples.push_back(film.sample_counts().min);
+      last = error_so_far();
+      EXPECT_TRUE(samples.back() >= kMinReplicatedSamples || !last.error);
+    };
+    const RenderResult shown = render(scene, settings, monitor);
+    EXPECT_EQ(samples.front(), 1u);
+    EXPECT_GT(samples.size(), 4u);
+    EXPECT_EQ(samples.back(), at_once.max_samples);
+    EXPECT_EQ(shown.picture.pixels, at_once.picture.pixels);
+    ASSERT_TRUE(shown.error);
+    EXPECT_EQ(shown.error->relative_error, at_once.error->relative_error);
+    ASSERT_TRUE(last.error);
+    EXPECT_LE(last.error->interval.to, shown.error->interval.to) << "goals settle";
+  }
+}
+
+TEST(Passes, HaveNoErrorWhereRarePathsHideIt) {
+  const Scene scene = caustic(test::transmissive(LinearRgb{1}, 1.5), 0.01);
+  RenderSettings settings{
+      .width = 96, .height = 54, .samples = 64, .light_sampling = LightSampling::On};
+  RenderMonitor monitor;
+  monitor.shows_passes = true;
+  int passes = 0;
+  monitor.on_pass = [&](const Film&, const std::function<ErrorSoFar()>& error_so_far) {
+    const ErrorSoFar known = error_so_far();
+    EXPECT_FALSE(known.error);
+    EXPECT_FALSE(known.rare_paths.empty() && ++passes > 3);
+  };
+  EXPECT_FALSE(render(scene, settings, monitor).error);
+  EXPECT_LE(passes, 3) << "those of fewer than 8 samples";
+}
+
 TEST(GoalForTime, GivesEveryPixelASampleHoweverShortItIs) {
   RenderSettings settings = kSmall;
   settings.seconds = 1e-9;
@@ -254,7 +299,7 @@ TEST(GoalForTime, LeavesTheTimeToFinish) {
     has_picture = picture.at(20, 15).g > 0;
     return 2.0;
   };
-  monitor.on_pass = [&](const Film&) { later_passes += calls; };
+  monitor.on_pass = [&](const Film&, const auto& /*error*/) { later_passes += calls; };
   const RenderResult result = render(choose_kernel(sphere_under_the_sky(), settings),
                                      sphere_under_the_sky(), settings, monitor);
   EXPECT_TRUE(result.is_complete);

@@ -381,7 +381,7 @@ TEST(RenderFilm, IsContinuedByARenderWithoutAGoal) {
   settings.samples = 300;
   RenderMonitor monitor, again;
   int passes = 0;
-  monitor.on_pass = [&](const Film& film) {
+  monitor.on_pass = [&](const Film& film, const auto& /*error*/) {
     EXPECT_EQ(film.samples(599), ++passes == 1 ? 70u : 300u);
   };
   const RenderResult result = continued(first, settings, monitor);
@@ -401,7 +401,7 @@ TEST(RenderFilm, IsContinuedTowardsAnError) {
     settings.error = 0.015;
     RenderMonitor monitor;
     std::uint64_t samples = 0;
-    monitor.on_pass = [&](const Film& film) {
+    monitor.on_pass = [&](const Film& film, const auto& /*error*/) {
       EXPECT_GE(film.samples(0), samples) << "samples were lost";
       samples = film.samples(0);
     };
