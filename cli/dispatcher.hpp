@@ -40,5 +40,6 @@ void add_merge_command(Command& program, Dispatcher& dispatcher);
 void add_pack_command(Command& program, Dispatcher& dispatcher);
 void add_render_command(Command& program, Dispatcher& dispatcher);
 void add_schema_command(Command& program, Dispatcher& dispatcher);
+void add_serve_command(Command& program, Dispatcher& dispatcher);
 
 }  // namespace sdlc::cli

@@ -32,6 +32,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   program.footer(
       "Examples:\n"
       "  sdlc render ball.scene                  renders to ball.png\n"
+      "  sdlc serve ball.scene                   shows it in the browser while it is written\n"
       "  sdlc render old.json -o old.exr         a JSON config, to linear radiance\n"
       "  sdlc lint scenes/                       checks without rendering\n"
       "  sdlc fmt scenes/                        formats them\n"
@@ -55,6 +56,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   program.add_flag("--version", wants_version, "Print version, commit and instruction sets");
   Dispatcher dispatcher;
   add_render_command(program, dispatcher);
+  add_serve_command(program, dispatcher);
   add_inspect_command(program, dispatcher);
   add_lint_command(program, dispatcher);
   add_fmt_command(program, dispatcher);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -31,6 +32,12 @@ Descriptor file_of(std::string_view content) {
     content.remove_prefix(static_cast<std::size_t>(written));
   }
   ::lseek(file.number(), 0, SEEK_SET);
+  return file;
+}
+
+Descriptor nowhere() {
+  Descriptor file(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+  if (!file.is_open()) fail("open /dev/null");
   return file;
 }
 
@@ -71,9 +78,23 @@ Pipe Pipe::make() {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, std::string_view input) {
   const Descriptor in = file_of(input);
-  const Descriptor out(::open("/dev/null", O_WRONLY | O_CLOEXEC));
-  if (!out.is_open()) fail("open /dev/null");
+  const Descriptor out = nowhere();
   Pipe errors = Pipe::make();
+  start(command, in.number(), out.number(), errors.in.number());
+  from_ = std::move(errors.out);
+}
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command) {
+  const Descriptor errors = nowhere();
+  Pipe in = Pipe::make(), out = Pipe::make();
+  start(command, in.out.number(), out.in.number(), errors.number());
+  ::fcntl(in.in.number(), F_SETFL, O_NONBLOCK);
+  to_ = std::move(in.in);
+  from_ = std::move(out.out);
+}
+
+void ChildProcess::start(const std::vector<std::string>& command, int input, int output,
+                         int errors) {
   std::vector<char*> arguments;
   for (const std::string& argument : command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
@@ -82,10 +103,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, std::string_
   const pid_t parent = ::getpid();
   process_ = ::fork();
   if (process_ < 0) fail("fork");
-  if (process_ == 0) {
-    become(arguments.data(), in.number(), out.number(), errors.in.number(), parent);
-  }
-  errors_ = std::move(errors.out);
+  if (process_ == 0) become(arguments.data(), input, output, errors, parent);
 }
 
 ChildProcess::~ChildProcess() {
@@ -93,14 +111,26 @@ ChildProcess::~ChildProcess() {
   wait();
 }
 
-std::string ChildProcess::read_errors() {
+std::string ChildProcess::read() {
   std::string part(4096, '\0');
   ssize_t size = 0;
   do {
-    size = ::read(errors_.number(), part.data(), part.size());
+    size = ::read(from_.number(), part.data(), part.size());
   } while (size < 0 && errno == EINTR);
   part.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
   return part;
+}
+
+bool ChildProcess::write(std::string_view text, int milliseconds) {
+  while (!text.empty()) {
+    pollfd ready{.fd = to_.number(), .events = POLLOUT, .revents = 0};
+    if (::poll(&ready, 1, milliseconds) <= 0) return false;
+    const ssize_t size = ::write(to_.number(), text.data(), text.size());
+    if (size < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (size <= 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return true;
 }
 
 int ChildProcess::wait() {

@@ -32,31 +32,39 @@ struct Pipe {
   static Pipe make();
 };
 
-/// A program that runs beside this one, in the background (nice 5), with its standard output
-/// dropped. It is killed when it is destroyed, or when the thread that started it ends.
+/// A program that runs beside this one, in the background (nice 5). It is killed when it is
+/// destroyed, or when the thread that started it ends. Constructors throw std::system_error if the
+/// system has no resources for it; a program that cannot be started ends with status 127.
 class ChildProcess {
  public:
-  /// Starts a program, given by its path, which gets `input` as its standard input. Throws
-  /// std::system_error if the system has no resources for it; a program that cannot be started ends
-  /// with status 127.
+  /// Starts a program, given by its path, which gets `input` as its standard input. What it writes
+  /// is its standard error; its standard output is dropped.
   ChildProcess(const std::vector<std::string>& command, std::string_view input);
+  /// Starts a program to talk to: write() is its standard input, and what it writes is its standard
+  /// output; its standard error is dropped.
+  explicit ChildProcess(const std::vector<std::string>& command);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Readable if there is more of the standard error.
-  int error_descriptor() const noexcept { return errors_.number(); }
-  /// The next part of the standard error, at least a byte; empty at its end, which is the end of
-  /// the program. Blocks only if error_descriptor() is not readable.
-  std::string read_errors();
+  /// Readable if there is more that it writes.
+  int descriptor() const noexcept { return from_.number(); }
+  /// The next part of what it writes, at least a byte; empty at the end, which is the end of the
+  /// program. Blocks only if descriptor() is not readable.
+  std::string read();
+  /// Returns false if the program has ended, or has read nothing for `milliseconds`: then a part is
+  /// missing, and no more can be written.
+  bool write(std::string_view text, int milliseconds);
   /// Waits for the end. The exit status, or 128 + n after signal n.
   int wait();
   void kill() noexcept;
 
  private:
+  void start(const std::vector<std::string>& command, int input, int output, int errors);
+
   pid_t process_ = -1;
   std::optional<int> status_;
-  Descriptor errors_;
+  Descriptor from_, to_;
 };
 
 }  // namespace sdlc::lsp

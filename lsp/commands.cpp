@@ -77,14 +77,18 @@ std::vector<std::string> unsaved_files(Session& session, const fs::path& scene) 
   return names;
 }
 
+/// The scene that is shown for a file: itself, if it has a camera.
+fs::path shown_scene(Session& session, const Text& text, bool is_itself) {
+  return is_itself || has_camera(text) ? text.identity : session.scene_of(text.identity);
+}
+
 Json render(Session& session, const Json& argument) {
   const Text text = session.text_of(about_text(argument));
   const Json camera = member(argument, "camera"), frame = member(argument, "frame");
   RenderOrder order{.camera = camera.is_null() ? std::string() : camera.get<std::string>(),
                     .threads = session.settings().threads,
                     .is_sandboxed = session.program_options().is_sandboxed};
-  const bool is_itself = !order.camera.empty() || has_camera(text);
-  const fs::path scene = is_itself ? text.identity : session.scene_of(text.identity);
+  const fs::path scene = shown_scene(session, text, !order.camera.empty());
   order.scene = scene;
   if (const OpenFile* open = open_file(session, scene)) {
     order.scene = open->path;
@@ -101,6 +105,21 @@ Json render(Session& session, const Json& argument) {
       std::move(order), {.has_progress = session.client().can("/window/workDoneProgress"),
                          .shows_documents = session.client().can("/window/showDocument/support")});
   return nullptr;
+}
+
+Json preview(Session& session, const Json& argument) {
+  const Text text = session.text_of(about_text(argument));
+  fs::path scene = shown_scene(session, text, false);
+  if (const OpenFile* open = open_file(session, scene)) scene = open->path;
+  std::vector<PreviewText> texts;
+  for (const auto& [uri, file] : session.open_files()) texts.push_back({file.path, file.text});
+  const std::string url = session.previews().url_of(
+      scene, texts, session.program_options().is_sandboxed, session.settings().threads);
+  if (member(argument, "external") == true &&
+      session.client().can("/window/showDocument/support")) {
+    session.connection().request("window/showDocument", {{"uri", url}, {"external", true}});
+  }
+  return {{"url", url}, {"scene", session.uri_of(scene)}};
 }
 
 // Fixes and explanations
@@ -200,8 +219,9 @@ struct Command {
   RequestHandler run;
 };
 
-constexpr std::array<Command, 4> kCommands{{
+constexpr std::array<Command, 5> kCommands{{
     {"sdlc.render", render},
+    {"sdlc.preview", preview},
     {"sdlc.fixAll", fix_all},
     {"sdlc.explain", explain},
     {"sdlc.chooseScene", choose_scene},
@@ -216,6 +236,13 @@ Json execute_command(Session& session, const Json& params) {
     throw RequestError(ErrorCode::InvalidParams, fmt::format("unknown command `{}`", name));
   }
   return command->run(session, params.at("arguments").at(0));
+}
+
+void cursor_moved(Session& session, const Json& params) {
+  if (!session.has_previews()) return;
+  const Text text = session.text_of(params);
+  const lang::Position place = text.source->position(session.offset(text, params.at("position")));
+  session.previews().move({.path = session.path_of(params), .position = place});
 }
 
 void cancel_progress(Session& session, const Json& params) {

@@ -75,6 +75,7 @@ constexpr auto kNotifications = std::to_array<Method<NotificationHandler>>({
     {"workspace/didChangeWatchedFiles", did_change_watched_files},
     {"workspace/didChangeWorkspaceFolders", did_change_workspace_folders},
     {"window/workDoneProgress/cancel", cancel_progress},
+    {"sdlc/cursor", cursor_moved},
     {"$/setTrace", set_trace},
 });
 

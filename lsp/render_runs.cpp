@@ -134,7 +134,7 @@ class RenderRuns::Runner {
       if (jobs_->is_ended()) return;
       std::vector<pollfd> waits{{.fd = jobs_->descriptor(), .events = POLLIN, .revents = 0}};
       for (const Run& run : runs_) {
-        waits.push_back({.fd = run.child->error_descriptor(), .events = POLLIN, .revents = 0});
+        waits.push_back({.fd = run.child->descriptor(), .events = POLLIN, .revents = 0});
       }
       ::poll(waits.data(), waits.size(), -1);
       auto wait = waits.begin() + 1;
@@ -231,7 +231,7 @@ class RenderRuns::Runner {
 
   /// Reads what it has written; false at the end, which is handled.
   bool read(Run& run) {
-    const std::string part = run.child->read_errors();
+    const std::string part = run.child->read();
     if (part.empty()) {
       if (!run.line.empty()) read_line(run);
       finish(run);

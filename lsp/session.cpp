@@ -11,6 +11,7 @@
 
 #include "lang/editor/config_text.hpp"
 #include "lang/source/data_format.hpp"
+#include "lang/source/nearest_offset.hpp"
 #include "lsp/positions.hpp"
 #include "lsp/uri.hpp"
 
@@ -49,6 +50,24 @@ RenderRuns& Session::renders() {
   return *renders_;
 }
 
+Previews& Session::previews() {
+  if (!previews_) {
+    previews_ = std::make_unique<Previews>(
+        server_options_.program,
+        [this](const Previews::Place& place) { post_([this, place] { show_place(place); }); });
+  }
+  return *previews_;
+}
+
+void Session::show_place(const Previews::Place& place) {
+  const auto document = load(place.path);
+  if (!document || !client_.can("/window/showDocument/support")) return;
+  const std::uint32_t offset = lang::nearest_offset(*document, place.position);
+  connection_.request("window/showDocument", {{"uri", uri_of(place.path)},
+                                              {"takeFocus", true},
+                                              {"selection", range(*document, {offset, offset})}});
+}
+
 void Session::set_client(Client client) {
   client_ = std::move(client);
   index_.set_encoding(client_.encoding());
@@ -82,6 +101,7 @@ void Session::open(OpenFile file) {
 
 void Session::change(const OpenFile& file) {
   workspace_.open(file.path, *file.text, file.version);
+  if (previews_) previews_->change(file.path, file.text.get());
   checks_.change(file);
   index_.open(file.path, file.text);
   if (&files_[file.uri] != &file) files_[file.uri] = file;
@@ -108,6 +128,7 @@ void Session::close(const std::string& uri) {
       files_, [&](const auto& open) { return open.second.identity == file.identity; });
   if (other != files_.end()) return change(other->second);
   workspace_.close(file.path);
+  if (previews_) previews_->change(file.path, nullptr);
   checks_.close(file.path);
   index_.close(file.path);
   texts_changed();

@@ -23,6 +23,7 @@
 #include "lsp/json_rpc.hpp"
 #include "lsp/log.hpp"
 #include "lsp/open_files.hpp"
+#include "lsp/previews.hpp"
 #include "lsp/publisher.hpp"
 #include "lsp/render_runs.hpp"
 #include "lsp/semantic_tokens.hpp"
@@ -66,6 +67,9 @@ class Session {
   const FolderIndex& index() const noexcept { return index_; }
   /// Made on first use. Throws std::system_error.
   RenderRuns& renders();
+  /// Made on first use.
+  Previews& previews();
+  bool has_previews() const noexcept { return previews_ != nullptr; }
   const std::vector<std::filesystem::path>& folders() const noexcept { return folders_; }
 
   void set_client(Client client);
@@ -151,6 +155,7 @@ class Session {
     bool is_read = true;  ///< the scene reads the file, as far as is known
   };
 
+  void show_place(const Previews::Place& place);
   /// The texts have changed: forgets what was made of them, and checks what must be checked.
   void texts_changed();
   /// Updates the scenes after the messages that have arrived: an editor opens many files at once.
@@ -182,6 +187,7 @@ class Session {
   Checks checks_;
   std::optional<Checks::Pause> pause_;  // of the request that is being handled
   std::unique_ptr<RenderRuns> renders_;
+  std::unique_ptr<Previews> previews_;  // null: none has been asked for
 };
 
 }  // namespace sdlc::lsp

@@ -9,6 +9,7 @@
 
 #include "lang/lower/group_repeats.hpp"
 #include "lang/object/object.hpp"
+#include "render/math/vec3.hpp"
 
 namespace sdlc::lang {
 
@@ -22,6 +23,13 @@ struct Override {
   Value value;
 };
 
+/// Where a camera is, and the point in the middle of its picture.
+struct CameraPose {
+  render::Vec3 from, at;
+
+  friend bool operator==(const CameraPose&, const CameraPose&) = default;
+};
+
 /// Settings of the command line that replace those of the scene.
 struct Overrides {
   std::vector<Override> render = {};
@@ -29,7 +37,8 @@ struct Overrides {
   std::optional<double> seconds = {};      ///< replaces the scene's `error` and `samples`
   bool is_adaptive = false;
   bool is_denoised = false;
-  bool names_output = false;  ///< the scene's `output` is not used
+  std::optional<CameraPose> pose = {};  ///< of the chosen camera
+  bool names_output = false;            ///< the scene's `output` is not used
   Instancing instancing = Instancing::Auto;
 
   /// Whether a flag sets the property of `render`.

@@ -15,6 +15,12 @@ namespace {
 constexpr std::size_t kBytesPerCheckedSphere = 96;
 constexpr std::size_t kBytesPerSphere = 64, kBytesPerCamera = 2 * sizeof(Object);
 
+Object moved_to(const CameraPose& pose, Object camera) {
+  camera.slots[camera_property::kFrom].value = Triple{pose.from, Unit::Length};
+  camera.slots[camera_property::kAt].value = Triple{pose.at, Unit::Length};
+  return camera;
+}
+
 }  // namespace
 
 SceneBuilder::SceneBuilder(const SourceFile& file, const Limits& limits, DiagnosticSink& sink,
@@ -259,7 +265,9 @@ LoweredScene SceneBuilder::finish(const Overrides& overrides) {
     lowered.checked_cameras = check_cameras(cameras_, file_->format(), named_, *sink_);
   }
   lowered.places = find_places(wanted, background_ ? &*background_ : nullptr);
-  if (camera != nullptr) lower_chosen_camera(*camera, lowered);
+  if (camera != nullptr) {
+    lower_chosen_camera(overrides.pose ? moved_to(*overrides.pose, *camera) : *camera, lowered);
+  }
   lower_settings(wanted, cameras_.empty(), lowered);
   lower_size(wanted, camera, lowered);
   if (!overrides.names_output) check_output(wanted, is_animated_, lowered);

@@ -29,6 +29,13 @@ async function render(server, uri) {
   await ask(server, 'sdlc.render', document);
 }
 
+/** Shows the scene beside the editor, as it is there. */
+async function preview(server, previews, uri) {
+  const document = activeDocument(uri);
+  if (document.isUntitled) throw new Refusal('Save the scene first: its imports are relative to its folder.');
+  await previews.show(await ask(server, 'sdlc.preview', document));
+}
+
 /** Measures in a terminal of its own, whose output remains when the program ends. */
 async function measure(server, uri) {
   const document = activeDocument(uri);
@@ -75,9 +82,10 @@ async function explain(pages, code) {
 }
 
 /** Registers the commands; each shows the reason when it fails. */
-function registerCommands(server, pages) {
+function registerCommands(server, pages, previews) {
   const commands = {
     'sdlc.renderScene': (uri) => render(server, uri),
+    'sdlc.previewScene': (uri) => preview(server, previews, uri),
     'sdlc.measureScene': (uri) => measure(server, uri),
     'sdlc.explainCode': (code) => explain(pages, code),
     'sdlc.checkFileIn': (uri) => ask(server, 'sdlc.chooseScene', activeDocument(uri)),

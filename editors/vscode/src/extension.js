@@ -5,6 +5,7 @@ const vscode = require('vscode');
 const { Client } = require('./client');
 const { registerCommands } = require('./commands');
 const { ExplainPages, SCHEME: EXPLAIN } = require('./explain');
+const { Previews } = require('./preview');
 const { checkedVersion, findProgram } = require('./program');
 const { ConfigSchema, SCHEME: SCHEMA } = require('./schema');
 const { selector } = require('./selector');
@@ -118,14 +119,16 @@ let server;
 async function activate(context) {
   server = new Server(context);
   const pages = new ExplainPages(server);
+  const previews = new Previews(server);
   const schema = new ConfigSchema(server, context.extensionUri);
   const restartIfNeeded = () => server.isNeeded && server.restart();
   context.subscriptions.push(
     vscode.workspace.registerTextDocumentContentProvider(EXPLAIN, pages),
     vscode.workspace.registerTextDocumentContentProvider(SCHEMA, schema),
-    ...registerCommands(server, pages),
+    ...registerCommands(server, pages, previews),
     registerSnippets(),
     vscode.workspace.onDidOpenTextDocument((document) => server.need(document)),
+    vscode.window.onDidChangeTextEditorSelection((change) => previews.follow(change)),
     vscode.workspace.onDidGrantWorkspaceTrust(restartIfNeeded),
     vscode.workspace.onDidChangeConfiguration((change) => {
       const needsRestart = ['sdlc.path', 'sdlc.sandbox', 'sdlc.configs'];

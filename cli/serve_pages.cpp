@@ -1,0 +1,70 @@
+#include "cli/serve_pages.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sdlc::cli {
+
+void ServePages::open(Viewer viewer) {
+  Page& page = pages_[viewer];
+  if (!scene_.empty()) server_->send(viewer, scene_);
+  if (!outline_.empty()) server_->send(viewer, outline_);
+  offer(viewer, page);
+}
+
+void ServePages::note_shown(Viewer viewer) {
+  Page& page = pages_.at(viewer);
+  page.is_busy = false;
+  offer(viewer, page);
+}
+
+void ServePages::set_view(Viewer viewer, const PictureView& view) {
+  Page& page = pages_.at(viewer);
+  page.view = view;
+  offer(viewer, page);
+}
+
+void ServePages::set_visible(Viewer viewer, bool is_visible) {
+  Page& page = pages_.at(viewer);
+  page.is_visible = is_visible;
+  offer(viewer, page);
+}
+
+void ServePages::show_scene(std::string message) {
+  scene_ = std::move(message);
+  send_to_all(scene_);
+}
+
+void ServePages::show_outline(std::string message) {
+  outline_ = std::move(message);
+  send_to_all(outline_);
+}
+
+void ServePages::show_picture(std::shared_ptr<const ServedPicture> picture) {
+  picture_ = std::move(picture);
+  for (auto& [viewer, page] : pages_) offer(viewer, page);
+}
+
+void ServePages::send_to_all(const std::string& message) {
+  for (const auto& [viewer, page] : pages_) server_->send(viewer, message);
+}
+
+bool ServePages::has_visible() const {
+  return std::ranges::any_of(pages_, [](const auto& page) { return page.second.is_visible; });
+}
+
+bool ServePages::wants_channels() const {
+  return std::ranges::any_of(
+      pages_, [](const auto& page) { return page.second.view.channel != ServedChannel::Color; });
+}
+
+void ServePages::offer(Viewer viewer, Page& page) {
+  const bool is_shown = page.sent == picture_ && page.sent_view == page.view;
+  if (!picture_ || page.is_busy || is_shown || !page.is_visible) return;
+  server_->send(viewer, picture_message(*picture_, page.view), WebServer::MessageType::Binary);
+  page.is_busy = true;
+  page.sent = picture_;
+  page.sent_view = page.view;
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/environment.hpp"
+#include "cli/scene_options.hpp"
+#include "lang/compile/compile.hpp"
+#include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lower/lowered_scene.hpp"
+#include "lang/lower/overrides.hpp"
+#include "render/kernel/kernel.hpp"
+#include "render/scene/scene.hpp"
+#include "render/session/prepared_scene.hpp"
+
+namespace sdlc::cli {
+
+/// The command line of `sdlc serve`.
+struct ServeOptions {
+  SceneOptions scene;
+  lang::Overrides overrides;
+  render::KernelRequest kernel;
+  int port = 0;             ///< 0: any that is free
+  bool has_editor = false;  ///< an editor talks over the standard streams
+};
+
+/// What the viewers of a scene choose beside its text.
+struct ServeChoices {
+  std::map<std::string, std::string> params;  ///< values as of --set, by name
+  std::optional<std::string> camera;          ///< nullopt: the scene's choice
+  std::optional<int> frame;                   ///< of an animation; nullopt: the first
+  std::optional<lang::CameraPose> pose;       ///< nullopt: that of the camera
+
+  friend bool operator==(const ServeChoices&, const ServeChoices&) = default;
+};
+
+/// A param of the scene.
+struct ServedParam {
+  std::string name;
+  std::string type;           ///< as in the language: "length"
+  std::string written;        ///< the default, as in the text
+  std::string default_value;  ///< its value as text; empty if it has none
+  std::string hex;            ///< of a colour: the nearest `#rrggbb`; may be empty
+  std::string documentation;
+};
+
+/// A finding about the scene.
+struct ServedFinding {
+  bool is_error = true;
+  std::string code;
+  std::string text;  ///< with its excerpt, as `sdlc lint` prints it
+  lang::Location where;
+};
+
+/// The scene at one state of its text and of the choices, ready to be rendered if it is correct.
+/// Used by one thread at a time, `prepared` by any number.
+struct ServedScene {
+  std::shared_ptr<const lang::StopRequest> stop;
+  std::shared_ptr<const lang::Document> source;  ///< null: it could not be read
+  lang::DiagnosticSink sink;
+  std::optional<lang::Compiler> compiler;
+  std::optional<lang::Animation> animation;
+  std::vector<ServedParam> params;
+  std::vector<ServedFinding> findings;
+  std::size_t errors = 0, warnings = 0;
+  std::string failure;  ///< why it cannot be rendered, beside errors in the text; may be empty
+  /// The rest only if `prepared` is not null.
+  lang::LoweredScene lowered;  ///< with the pose of the choices
+  std::shared_ptr<const render::PreparedScene> prepared;
+  double compile_seconds = 0, build_seconds = 0;
+
+  explicit ServedScene(std::shared_ptr<const lang::StopRequest> request)
+      : stop(std::move(request)), sink(stop.get()) {}
+};
+
+/// Compiles and prepares the scene. Choices that the text does not have any more are removed from
+/// `choices`. `on_correct` is called once the scene is known to be correct, before it is prepared,
+/// which takes all processors. Throws lang::StopRequested.
+std::unique_ptr<ServedScene> serve_scene(const ServeOptions& options, ServeChoices& choices,
+                                         std::shared_ptr<const lang::StopRequest> stop,
+                                         const std::function<void()>& on_correct, Environment& env);
+
+/// The text of the camera, with the pose of the choices: its declaration if that is in the file,
+/// else only the pose. Precondition: the scene is prepared, and no config.
+std::string camera_text(const ServedScene& scene);
+
+}  // namespace sdlc::cli

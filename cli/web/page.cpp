@@ -1,0 +1,44 @@
+#include "cli/web/page.hpp"
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cli/web/random_token.hpp"
+
+namespace sdlc::cli {
+
+// Of page.html, page.css and page.js.
+extern const std::string_view kPageHtml, kPageCss, kPageJs;
+
+namespace {
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+}  // namespace
+
+WebResource page() {
+  const std::string nonce = random_token();
+  std::string html(kPageHtml);
+  replace_all(html, "@nonce@", nonce);
+  replace_all(html, "@style@", kPageCss);
+  replace_all(html, "@script@", kPageJs);
+  // Only what is in the page runs. `ws:` is for browsers whose 'self' does not include it: the
+  // scripts of the page connect to its own host.
+  return {
+      .type = "text/html",
+      .body = std::move(html),
+      .policy = fmt::format("default-src 'none'; script-src 'nonce-{0}'; style-src 'nonce-{0}'; "
+                            "img-src data:; connect-src 'self' ws:; base-uri 'none'; "
+                            "form-action 'none'; frame-ancestors 'self' vscode-webview: "
+                            "https://*.vscode-cdn.net",
+                            nonce)};
+}
+
+}  // namespace sdlc::cli

@@ -1,0 +1,64 @@
+// The page of `sdlc serve` beside the editor: it shows the text as it is, and outlines what the
+// statement at the cursor makes.
+'use strict';
+
+const path = require('node:path');
+const vscode = require('vscode');
+const { selector } = require('./selector');
+
+/** Only the page of the server, in a frame: it has its own protection. */
+function frame(url) {
+  const origin = `${url.scheme}://${url.authority}`;
+  const policy = `default-src 'none'; frame-src ${origin}; style-src 'unsafe-inline'`;
+  return `<!doctype html>
+<html lang="en">
+<head>
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<style>html, body, iframe { width: 100%; height: 100%; margin: 0; padding: 0; border: 0; display: block; }</style>
+</head>
+<body><iframe src="${url.toString(true)}" title="The rendered scene" allow="clipboard-write"></iframe></body>
+</html>`;
+}
+
+/** The panels that show scenes, by the URI of the scene. */
+class Previews {
+  #server;
+  #panels = new Map();
+
+  constructor(server) {
+    this.#server = server;
+  }
+
+  /** Shows the page at `url`, which is the same for a scene as long as its server runs. */
+  async show({ url, scene }) {
+    let panel = this.#panels.get(scene);
+    if (!panel) {
+      const title = `Preview ${path.basename(vscode.Uri.parse(scene).fsPath)}`;
+      const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
+      panel = vscode.window.createWebviewPanel('sdlc.preview', title, column, { retainContextWhenHidden: true });
+      panel.onDidDispose(() => this.#panels.delete(scene));
+      this.#panels.set(scene, panel);
+    } else {
+      panel.reveal(undefined, true);
+    }
+    const local = vscode.Uri.parse(url, true);
+    // A port of another machine is forwarded.
+    const html = frame((await vscode.env.asExternalUri(local)).with({ path: local.path }));
+    if (panel.webview.html !== html) panel.webview.html = html;
+  }
+
+  /** Tells the server where the cursor is. */
+  follow({ textEditor, selections }) {
+    const { document } = textEditor;
+    const client = this.#server.client;
+    if (this.#panels.size === 0 || !client?.isRunning()) return;
+    if (vscode.languages.match(selector(), document) === 0) return;
+    const { line, character } = selections[0].active;
+    client.sendNotification('sdlc/cursor', {
+      textDocument: { uri: document.uri.toString() },
+      position: { line, character },
+    });
+  }
+}
+
+module.exports = { Previews };
