@@ -1,13 +1,18 @@
 #include <cstdint>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "cli/command_line.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/kernel_options.hpp"
+#include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/serve_session.hpp"
+#include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
+#include "lang/text/display_width.hpp"
 
 namespace sdlc::cli {
 
@@ -32,7 +37,14 @@ void add_serve_command(Command& program, Dispatcher& dispatcher) {
       "Prints the address of the page, which only this machine can open: it has a secret in it. "
       "From another\nmachine, forward the port: ssh -L 8080:localhost:8080 HOST. Ctrl-C ends. "
       "docs/serve.md explains the page.");
-  dispatcher.on(command, [options](Environment& env) { return serve(*options, env); });
+  dispatcher.on(command, [options](Environment& env) {
+    if (is_film_name(options->scene.file)) {
+      throw UsageError(
+          fmt::format("`{}` is a film, not a scene", lang::printable(options->scene.file)));
+    }
+    enter_pack(options->scene, env);
+    return serve(*options, env);
+  });
 }
 
 }  // namespace sdlc::cli

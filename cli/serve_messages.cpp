@@ -36,7 +36,6 @@ Json params_json(const std::vector<ServedParam>& params, const ServeChoices& cho
     const auto chosen = choices.params.find(param.name);
     all.push_back({{"name", param.name},
                    {"type", param.type},
-                   {"written", param.written},
                    {"default", text_or_null(param.default_value)},
                    {"value", chosen == choices.params.end() ? Json() : Json(chosen->second)},
                    {"hex", text_or_null(param.hex)},
@@ -63,7 +62,7 @@ Json camera_json(const ServedScene& scene) {
           {"from", triple(camera.from)},
           {"at", triple(camera.at)},
           {"up", triple(camera.up)},
-          {"text", scene.compiler->program() == nullptr ? Json() : Json(camera_text(scene))}};
+          {"text", camera_text(scene)}};
 }
 
 /// What is shown of a scene that is correct.
@@ -75,7 +74,6 @@ Json shown_json(const ServedScene& scene) {
           {"samples", settings.samples},
           {"error", settings.error ? Json(*settings.error) : Json()},
           {"spheres", render::count_spheres(lowered.scene)},
-          {"cameras", lowered.cameras},
           {"camera", camera_json(scene)},
           {"exposure", lowered.output.mapping.exposure},
           {"kernel", name_of(scene.prepared->kernel())},
@@ -117,6 +115,7 @@ Json scene_json(std::uint64_t number, const ServedScene& scene, const ServedScen
           {"animation", std::move(animation)},
           {"frame", choices.frame ? Json(*choices.frame) : Json()},
           {"camera", choices.camera ? Json(*choices.camera) : Json()},
+          {"cameras", scene.cameras},
           {"has_pose", choices.pose.has_value()},
           {"command", command},
           {"has_editor", has_editor},

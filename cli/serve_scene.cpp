@@ -27,6 +27,9 @@ namespace {
 
 using lang::Program;
 
+/// Larger pictures have no channels but the colour: they take 150 bytes a pixel.
+constexpr std::size_t kMaxChannelPixels = 4'000'000;
+
 std::string type_of(const lang::Global& param, const lang::Value& value) {
   if (param.type != nullptr) return std::string(param.type->name);
   const auto types = lang::all_types();
@@ -35,11 +38,43 @@ std::string type_of(const lang::Global& param, const lang::Value& value) {
   return found == types.end() ? std::string() : std::string(found->name);
 }
 
+/// Whether an expression has no other meaning as a value of --set, which knows only built-in names.
+bool stands_alone(const lang::ast::Node& node, const lang::Module& root) {
+  const std::string_view head = node.head();
+  const std::string_view name = head.substr(0, head.find('.'));
+  if ((node.is(lang::SyntaxKind::Reference) || node.is(lang::SyntaxKind::Call)) &&
+      (root.global_names.contains(name) || root.function_names.contains(name) ||
+       root.imports.contains(name))) {
+    return false;
+  }
+  for (const lang::ast::Node part : node.children()) {
+    if (!stands_alone(part, root)) return false;
+  }
+  return true;
+}
+
+bool is_plain_number(const lang::ast::Node& node) {
+  if (!node.is(lang::SyntaxKind::Negative)) return node.is(lang::SyntaxKind::Number);
+  const auto operand = node.child(0);
+  return operand && operand->is(lang::SyntaxKind::Number);
+}
+
+/// A value as text that --set takes: as it is written, if that says the same there, and computed
+/// numbers as their value, for a slider.
+std::string set_text(const lang::Value& value, const lang::ast::Node& written,
+                     const lang::Module& root) {
+  if (const auto* text = lang::get_if<std::string>(&value)) return *text;
+  const bool is_number =
+      lang::get_if<lang::Scalar>(&value) != nullptr || lang::get_if<lang::Angle>(&value) != nullptr;
+  const bool is_as_written = is_number ? is_plain_number(written) : stands_alone(written, root);
+  if (is_as_written) return std::string(written.text());
+  return lang::get_if<lang::Nothing>(&value) != nullptr ? std::string() : lang::to_text(value);
+}
+
 /// The params of a scene, with the values that they have without --set.
 std::vector<ServedParam> read_params(const lang::Document& source, lang::ProgramOptions options,
                                      const lang::StopRequest& stop) {
   std::vector<ServedParam> params;
-  if (source.format() != lang::SourceFormat::Scene) return params;
   options.sets.clear();
   lang::DiagnosticSink ignored(&stop);
   Program program(source, options, ignored);
@@ -51,20 +86,31 @@ std::vector<ServedParam> read_params(const lang::Document& source, lang::Program
     const lang::Value value = probe.global(Program::kRoot, i).value;
     const lang::SymbolTable& names = program.names_of(Program::kRoot, &stop);
     const lang::Symbol* const symbol = names.find(global.node);
-    const lang::ast::Node statement(root.tree, global.node);
-    std::string_view written;
-    for (const lang::ast::Node part : statement.children()) written = part.text();
+    std::optional<lang::ast::Node> written;
+    for (const lang::ast::Node part : lang::ast::Node(root.tree, global.node).children()) {
+      written = part;
+    }
     const auto* const color = lang::get_if<render::LinearRgb>(&value);
-    const bool is_known = lang::get_if<lang::Nothing>(&value) == nullptr;
     params.push_back(
         {.name = std::string(global.name),
          .type = type_of(global, value),
-         .written = std::string(written),
-         .default_value = is_known ? lang::to_text(value) : std::string(),
+         .default_value = written ? set_text(value, *written, root) : std::string(),
          .hex = color != nullptr ? lang::nearest_hex(*color).value_or("") : std::string(),
          .documentation = symbol != nullptr ? names.documentation_of(*symbol) : std::string()});
   }
   return params;
+}
+
+/// The names of the cameras that the text declares.
+std::vector<std::string> read_cameras(const lang::Document& source) {
+  std::vector<std::string> cameras;
+  lang::DiagnosticSink ignored;
+  for (const lang::ast::Node statement : lang::ast::Node(source.tree(ignored), 0).children()) {
+    if (!statement.is(lang::SyntaxKind::Object) || statement.head() != "camera") continue;
+    const auto name = statement.first(lang::SyntaxKind::Name);
+    if (name) cameras.emplace_back(name->text());
+  }
+  return cameras;
 }
 
 /// So that a param may be renamed while it has a value.
@@ -112,11 +158,14 @@ void take_findings(ServedScene& scene) {
 }
 
 /// Compiles the text; prepares nothing if it has errors.
-void compile(const ServeOptions& options, ServeChoices& choices,
-             const std::function<void()>& on_correct, ServedScene& scene, Environment& env) {
+void compile(const ServeOptions& options, ServeChoices& choices, const OnCorrect& on_correct,
+             ServedScene& scene, Environment& env) {
   const auto start = render::Clock::now();
   scene.source = read_scene(options.scene, env);
-  scene.params = read_params(*scene.source, program_options(options.scene, env), *scene.stop);
+  if (scene.source->format() == lang::SourceFormat::Scene) {
+    scene.params = read_params(*scene.source, program_options(options.scene, env), *scene.stop);
+    scene.cameras = read_cameras(*scene.source);
+  }
   drop_unknown_params(scene.params, choices);
   scene.compiler.emplace(*scene.source, program_options(options, choices, env), scene.sink);
   scene.animation = scene.compiler->animation();
@@ -129,17 +178,23 @@ void compile(const ServeOptions& options, ServeChoices& choices,
   scene.compile_seconds = render::seconds_since(start);
   if (!lowered) return;
   check_goals(overrides, *lowered);
-  lowered->settings.keeps_first_hits = true;
-  lowered->settings.keeps_variance = true;
-  check_picture_memory(lowered->settings, {.normal = true, .depth = true, .albedo = true}, true);
+  const bool has_channels = lowered->settings.window().pixels() <= kMaxChannelPixels;
+  lowered->settings.keeps_first_hits = lowered->settings.keeps_variance = has_channels;
+  check_picture_memory(lowered->settings, {.normal = has_channels, .depth = has_channels}, true);
   const auto build_start = render::Clock::now();
   render::Kernel kernel = choose_kernel(options.kernel, overrides, *lowered, *scene.compiler);
   check_not_refused(kernel);
   scene.lowered = *std::move(lowered);
-  on_correct();
+  scene.prepared = on_correct(scene.lowered);
+  if (scene.prepared) return;
   scene.prepared = std::make_shared<const render::PreparedScene>(
       std::move(kernel), scene.lowered.scene, scene.lowered.settings.threads);
   scene.build_seconds = render::seconds_since(build_start);
+}
+
+std::string json_text(render::Vec3 point) {
+  return fmt::format("[{}, {}, {}]", lang::to_text(point.x), lang::to_text(point.y),
+                     lang::to_text(point.z));
 }
 
 std::string point_text(render::Vec3 point) {
@@ -150,8 +205,7 @@ std::string point_text(render::Vec3 point) {
 
 std::unique_ptr<ServedScene> serve_scene(const ServeOptions& options, ServeChoices& choices,
                                          std::shared_ptr<const lang::StopRequest> stop,
-                                         const std::function<void()>& on_correct,
-                                         Environment& env) {
+                                         const OnCorrect& on_correct, Environment& env) {
   auto scene = std::make_unique<ServedScene>(std::move(stop));
   std::ostringstream messages;
   Environment quiet = env.with_err(messages);
@@ -167,6 +221,10 @@ std::unique_ptr<ServedScene> serve_scene(const ServeOptions& options, ServeChoic
 std::string camera_text(const ServedScene& scene) {
   if (!scene.lowered.camera) return {};
   const render::Camera& camera = scene.lowered.scene.camera;
+  if (scene.compiler->program() == nullptr) {
+    return fmt::format("\"look_from\": {},\n\"look_at\": {}\n", json_text(camera.from),
+                       json_text(camera.at));
+  }
   const std::string from = point_text(camera.from), at = point_text(camera.at);
   const std::string& name = scene.lowered.camera->name;
   const lang::ast::Node file(scene.compiler->program()->module(Program::kRoot).tree, 0);

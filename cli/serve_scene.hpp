@@ -32,10 +32,10 @@ struct ServeOptions {
 
 /// What the viewers of a scene choose beside its text.
 struct ServeChoices {
-  std::map<std::string, std::string> params;  ///< values as of --set, by name
-  std::optional<std::string> camera;          ///< nullopt: the scene's choice
-  std::optional<int> frame;                   ///< of an animation; nullopt: the first
-  std::optional<lang::CameraPose> pose;       ///< nullopt: that of the camera
+  std::map<std::string, std::string> params = {};  ///< values as of --set, by name
+  std::optional<std::string> camera = {};          ///< nullopt: the scene's choice
+  std::optional<int> frame = {};                   ///< of an animation; nullopt: the first
+  std::optional<lang::CameraPose> pose = {};       ///< nullopt: that of the camera
 
   friend bool operator==(const ServeChoices&, const ServeChoices&) = default;
 };
@@ -44,8 +44,7 @@ struct ServeChoices {
 struct ServedParam {
   std::string name;
   std::string type;           ///< as in the language: "length"
-  std::string written;        ///< the default, as in the text
-  std::string default_value;  ///< its value as text; empty if it has none
+  std::string default_value;  ///< as --set takes it; empty if it has none
   std::string hex;            ///< of a colour: the nearest `#rrggbb`; may be empty
   std::string documentation;
 };
@@ -67,6 +66,7 @@ struct ServedScene {
   std::optional<lang::Compiler> compiler;
   std::optional<lang::Animation> animation;
   std::vector<ServedParam> params;
+  std::vector<std::string> cameras;  ///< the names of all, of a scene
   std::vector<ServedFinding> findings;
   std::size_t errors = 0, warnings = 0;
   std::string failure;  ///< why it cannot be rendered, beside errors in the text; may be empty
@@ -79,15 +79,19 @@ struct ServedScene {
       : stop(std::move(request)), sink(stop.get()) {}
 };
 
+/// Called once a scene is known to be correct, before it is prepared, which takes all processors.
+/// May return one that has been prepared for an equal scene.
+using OnCorrect =
+    std::function<std::shared_ptr<const render::PreparedScene>(const lang::LoweredScene& lowered)>;
+
 /// Compiles and prepares the scene. Choices that the text does not have any more are removed from
-/// `choices`. `on_correct` is called once the scene is known to be correct, before it is prepared,
-/// which takes all processors. Throws lang::StopRequested.
+/// `choices`. Throws lang::StopRequested.
 std::unique_ptr<ServedScene> serve_scene(const ServeOptions& options, ServeChoices& choices,
                                          std::shared_ptr<const lang::StopRequest> stop,
-                                         const std::function<void()>& on_correct, Environment& env);
+                                         const OnCorrect& on_correct, Environment& env);
 
 /// The text of the camera, with the pose of the choices: its declaration if that is in the file,
-/// else only the pose. Precondition: the scene is prepared, and no config.
+/// else only the pose. Precondition: the scene is prepared.
 std::string camera_text(const ServedScene& scene);
 
 }  // namespace sdlc::cli

@@ -19,6 +19,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/accuracy_report.hpp"
+#include "cli/diagnostics_output.hpp"
 #include "cli/file_watch.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
@@ -33,9 +35,11 @@
 #include "cli/version.hpp"
 #include "cli/web/page.hpp"
 #include "cli/web/web_server.hpp"
+#include "lang/allowances/allowances.hpp"
 #include "lang/workspace/workspace.hpp"
 #include "render/image/image.hpp"
 #include "render/math/clock.hpp"
+#include "render/scene/digest.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -44,6 +48,39 @@ using Viewer = WebServer::Viewer;
 
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// What decides about a picture: equal ones give equal pictures.
+struct LookOfScene {
+  render::SceneDigest scene;
+  int width, height, samples, depth, threads;
+  std::uint64_t seed;
+  render::SamplerKind sampler;
+  render::LightSampling light_sampling;
+  std::optional<double> error;
+  bool is_adaptive, is_denoised;
+  render::ToneMapping mapping;
+  std::optional<render::Precision> precision;
+
+  friend bool operator==(const LookOfScene&, const LookOfScene&) = default;
+};
+
+LookOfScene look_of(const lang::LoweredScene& lowered) {
+  const render::RenderSettings& settings = lowered.settings;
+  return {.scene = render::digest_of_parts(lowered.scene),
+          .width = settings.width,
+          .height = settings.height,
+          .samples = settings.samples,
+          .depth = settings.depth,
+          .threads = settings.threads,
+          .seed = settings.seed,
+          .sampler = settings.sampler,
+          .light_sampling = settings.light_sampling,
+          .error = settings.error,
+          .is_adaptive = settings.is_adaptive,
+          .is_denoised = settings.is_denoised,
+          .mapping = lowered.output.mapping,
+          .precision = lowered.precision};
 }
 
 class ServeSession {
@@ -59,6 +96,7 @@ class ServeSession {
   std::optional<ServeEditor> listen_to_editor(std::atomic<bool>& interrupted);
   void take_mail();
   void rebuild(std::shared_ptr<const lang::StopRequest> compilation);
+  void print_findings_of(const ServedScene& scene);
   void publish_scene();
   void publish_outline();
   void publish_progress();
@@ -82,9 +120,10 @@ class ServeSession {
 
   ServeChoices choices_;                 // of the scene
   ServeChoices asked_choices_;           // of the server's thread
-  std::uint64_t number_ = 0;             // of the scene
+  std::uint64_t number_ = 0;             // of the pictures
   std::unique_ptr<ServedScene> latest_;  // null if it is shown_
   std::unique_ptr<ServedScene> shown_;   // the last correct one; may be null
+  std::optional<LookOfScene> look_;      // of shown_
   std::optional<TextPlace> cursor_;
   std::string progress_;
 
@@ -193,15 +232,25 @@ void ServeSession::take_mail() {
 void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation) {
   const auto start = render::Clock::now();
   Environment env = env_.with_workspace(workspace_);
-  auto scene = serve_scene(
-      options_, choices_, compilation, [this] { render_.cancel(); }, env);
+  std::optional<LookOfScene> look;
+  const auto on_correct = [&](const lang::LoweredScene& lowered) {
+    look = look_of(lowered);
+    if (shown_ && look == look_) return shown_->prepared;
+    render_.cancel();
+    return std::shared_ptr<const render::PreparedScene>();
+  };
+  auto scene = serve_scene(options_, choices_, compilation, on_correct, env);
   mailbox_.end_compilation();
   lang::stop_if_requested(compilation.get());  // it could not find origins any more
   latest_ = std::move(scene);
-  ++number_;
-  if (latest_->prepared) shown_ = std::move(latest_);
+  print_findings_of(*latest_);
+  if (!latest_->prepared) return publish_scene();
+  shown_ = std::move(latest_);
+  // A change of comments leaves the picture as it is.
+  const bool is_other = std::exchange(look_, look) != look;
+  if (is_other) ++number_;
   publish_scene();
-  if (latest_) return;
+  if (!is_other) return;
   render_.start({.scene = number_,
                  .prepared = shown_->prepared,
                  .settings = shown_->lowered.settings,
@@ -210,12 +259,21 @@ void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation)
                 env_);
 }
 
+void ServeSession::print_findings_of(const ServedScene& scene) {
+  if (options_.has_editor || scene.prepared) return;
+  print_findings(lang::select_unallowed(scene.sink), options_.scene.diagnostics, env_.err,
+                 env_.err_is_terminal, env_);
+  env_.err << scene.failure << std::flush;
+}
+
 void ServeSession::publish_scene() {
   const ServedScene* const latest = latest_ ? latest_.get() : shown_.get();
   if (latest == nullptr) return;
+  ServeChoices of_command = choices_;
+  if (latest->animation && !of_command.frame) of_command.frame = latest->animation->first;
   std::string message =
       dump(scene_json(number_, *latest, shown_.get(), choices_,
-                      render_command(env_.arguments, choices_), options_.has_editor));
+                      render_command(env_.arguments, of_command), options_.has_editor));
   server_->post([this, message = std::move(message)] { pages_.show_scene(message); });
 }
 
@@ -302,21 +360,19 @@ void ServeSession::look_at_pages() {
 
 std::optional<WebResource> ServeSession::resource(std::string_view name) const {
   if (name.empty()) return page();
-  const ServedPicture* picture = pages_.picture();
-  if (picture == nullptr) return std::nullopt;
-  const std::string stem = std::filesystem::path(options_.scene.name()).stem().string();
-  const auto encoded = [&](render::ImageFormat format, std::string type) {
-    const std::vector<std::byte> bytes = render::encode_picture(
-        picture->result.picture, {.format = format,
-                                  .mapping = picture->mapping,
-                                  .metadata = {.software = fmt::format("sdlc {}", kVersion)}});
-    return WebResource{
-        .type = std::move(type),
-        .body = std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
-  };
-  if (name == "picture.png") return encoded(render::ImageFormat::Png, "image/png");
-  if (name == "picture.exr") return encoded(render::ImageFormat::Exr, "image/x-exr");
-  return std::nullopt;
+  const ServedPicture* const picture = pages_.picture();
+  const bool is_exr = name == "picture.exr";
+  if (picture == nullptr || !(is_exr || name == "picture.png")) return std::nullopt;
+  const auto mapping = is_exr ? std::nullopt : std::optional(picture->mapping);
+  const std::vector<std::byte> bytes = render::encode_picture(
+      picture->result.picture,
+      {.format = is_exr ? render::ImageFormat::Exr : render::ImageFormat::Png,
+       .mapping = picture->mapping,
+       .metadata = {.software = fmt::format("sdlc {}", kVersion),
+                    .entries = picture_metadata(picture->settings, picture->result, mapping)}});
+  return WebResource{
+      .type = is_exr ? "image/x-exr" : "image/png",
+      .body = std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
 }
 
 void ServeSession::receive(Viewer viewer, std::string_view text) {

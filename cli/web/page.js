@@ -70,6 +70,7 @@ function sendChoices() {
 function takeScene(message) {
   scene = message;
   isAnswered = true;
+  if (!scene.is_correct || !scene.has_pose) pose = null;  // moves go on from what is shown
   document.title = `${message.name ?? 'sdlc'} – sdlc`;
   byId('name').textContent = message.name ?? 'sdlc';
   byId('command').textContent = message.command;
@@ -79,6 +80,16 @@ function takeScene(message) {
   showCameras();
   showStatus();
   sendChoices();
+  // The text may have other lines now, and the place another sphere.
+  if (scene.is_correct && !byId('sphere').hidden) pick(mark.x, mark.y);
+  if (scene.is_correct !== wasCorrect) announce(scene.is_correct ? 'The scene is correct' : `${scene.errors} errors`);
+  wasCorrect = scene.is_correct;
+}
+let wasCorrect = true;
+
+// Tells users of screen readers what others see.
+function announce(text) {
+  byId('announcement').textContent = text;
 }
 
 function takePicture(buffer) {
@@ -106,7 +117,8 @@ function takePicture(buffer) {
   showStatus();
   if (scene && header.is_finished) showFindings();
   send({type: 'shown'});
-  if (mark.isShown) askForPixel(mark.x, mark.y);
+  if (header.is_finished) byId('progress').value = 1;
+  if (lastPixel) askForPixel(lastPixel.x, lastPixel.y);
 }
 
 function takeProgress(message) {
@@ -144,9 +156,10 @@ function showStatus() {
     parts.push(scene.errors ? count : 'the scene cannot be rendered');
     if (picture) parts[0] += '; the picture is of the last correct version';
   }
-  const header = picture?.header;
+  const header = (isComparing ? before : picture)?.header;
+  if (isComparing) parts.push('before the last change');
   if (header) {
-    if (picture.isFirstLook) parts.push('first look');
+    if (!isComparing && picture.isFirstLook) parts.push('first look');
     else parts.push(header.samples);
     if (header.error) {
       const of = ({value, from, to}) => `${percent(value)} (${percent(from)} to ${percent(to)})`;
@@ -156,7 +169,8 @@ function showStatus() {
       parts.push('error unknown: rare paths may be missing');
     }
   }
-  if (progress?.is_paused) parts.push('paused');
+  if (isComparing) parts.push('pixels and clicks are of the new picture');
+  else if (progress?.is_paused) parts.push('paused');
   else if (progress?.is_running && progress.seconds_left != null)
     parts.push(`${duration(progress.seconds_left)} left`);
   else if (header?.is_finished) parts.push('finished');
@@ -218,7 +232,7 @@ document.addEventListener('click', ({target}) => {
 
 // A number with its unit: {number: 3, unit: "m"}; null for other values.
 function parsedNumber(text) {
-  const match = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*([a-z]*)\s*$/i.exec(text ?? '');
+  const match = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*([a-z]*|%)\s*$/i.exec(text ?? '');
   return match && {number: Number(match[1]), unit: match[2]};
 }
 
@@ -260,12 +274,12 @@ function paramRow(param) {
   const give = (value) => choose({params: {[param.name]: value}});
   const fields = paramFields(param, id, give);
   field.append(...fields.inputs);
-  row.append(element('label', param.name, {for: id}), field, reset, set, copySet);
+  row.append(element('label', param.name, {for: id}), reset, field, set, copySet);
   if (param.documentation) row.append(element('p', param.documentation));
   reset.addEventListener('click', () => give(null));
   copySet.addEventListener('click', () => copy(set.textContent, copySet));
-  row.show = ({value, default: usual, written}) => {
-    const text = value ?? usual ?? written;
+  row.show = ({value, default: usual}) => {
+    const text = value ?? usual ?? '';
     if (!field.contains(document.activeElement)) fields.show(text);
     set.textContent = `--set ${quoted(`${param.name}=${text}`)}`;
     reset.disabled = value == null;
@@ -277,14 +291,14 @@ const quoted = (text) => /^[\w@%+=:,./-]+$/.test(text) ? text : `'${text.replace
 
 // The inputs of a param, and a function that shows a value in them.
 function paramFields(param, id, give) {
-  const usual = parsedNumber(param.default);
+  const usual = param.type === 'string' ? null : parsedNumber(param.default);
   if (usual) {
     const range = element('input', null,
                           {type: 'range', id, ...sliderRange(usual, param.type)});
     const number = element('input', null,
                            {type: 'number', step: 'any', 'aria-label': `${param.name}${usual.unit ? ` in ${usual.unit}` : ''}`});
     const take = (input) => {
-      if (input.value === '') return;
+      if (input.value === '') return give(null);
       range.value = number.value = input.value;
       give(`${input.value}${usual.unit}`);
     };
@@ -293,7 +307,7 @@ function paramFields(param, id, give) {
     return {inputs: [range, number, element('span', usual.unit)],
             show: (text) => { range.value = number.value = parsedNumber(text)?.number ?? ''; }};
   }
-  if (param.default === 'true' || param.default === 'false') {
+  if (param.type === 'bool') {
     const box = element('input', null, {type: 'checkbox', id});
     box.addEventListener('change', () => give(String(box.checked)));
     return {inputs: [box], show: (text) => { box.checked = text === 'true'; }};
@@ -354,15 +368,16 @@ byId('play').addEventListener('click', play);
 // Cameras
 
 function showCameras() {
-  const shown = scene.shown;
-  byId('cameras').hidden = !shown?.camera;
-  if (!shown?.camera) return;
-  const select = byId('camera');
-  const names = shown.cameras.filter((name) => name);
+  const camera = scene.shown?.camera;
+  const names = scene.cameras;
+  byId('cameras').hidden = !camera && names.length < 2;
   byId('camera-choice').hidden = names.length < 2;
-  select.replaceChildren(...names.map((name) => element('option', name, {value: name})));
-  select.value = shown.camera.name ?? '';
-  byId('camera-text').textContent = shown.camera.text ?? '';
+  const select = byId('camera');
+  if (document.activeElement !== select) {
+    select.replaceChildren(...names.map((name) => element('option', name, {value: name})));
+    select.value = scene.camera ?? camera?.name ?? '';
+  }
+  byId('camera-text').textContent = camera?.text ?? '';
   byId('camera-back').hidden = !scene.has_pose;
 }
 byId('camera').addEventListener('change', ({target}) => choose({camera: target.value}));
@@ -386,12 +401,14 @@ const turned = (a, axis, angle) =>
     add(add(scaled(a, Math.cos(angle)), scaled(cross(axis, a), Math.sin(angle))),
         scaled(axis, dot(axis, a) * (1 - Math.cos(angle))));
 
-let pose = null;  // the newest that was chosen; null: that of the scene
+let pose = null;   // the newest that was chosen; null: that of the scene
+let reach = null;  // the distance from the camera to its point before it was moved
 const poseNow = () => pose ?? (scene?.shown?.camera && {from: scene.shown.camera.from, at: scene.shown.camera.at});
 
 function movePose(change) {
   const now = poseNow();
   if (!now) return;
+  if (!scene.has_pose) reach = Math.hypot(...minus(now.from, now.at));
   pose = change(now, unit(scene.shown.camera.up));
   choose({pose});
 }
@@ -403,7 +420,13 @@ const orbitBy = (right, upward) => movePose(({from, at}, up) => {
   const isNearPole = Math.abs(dot(unit(tilted), up)) > 0.999;
   return {from: add(at, isNearPole ? offset : tilted), at};
 });
-const dollyBy = (factor) => movePose(({from, at}) => ({from: add(at, scaled(minus(from, at), factor)), at}));
+const dollyBy = (factor) => movePose(({from, at}) => {
+  const offset = minus(from, at);
+  const distance = Math.hypot(...offset);
+  // Far enough for any look, and the way back is not too long.
+  const wanted = Math.min(1e3 * reach, Math.max(1e-3 * reach, distance * factor));
+  return {from: add(at, scaled(offset, wanted / distance)), at};
+});
 const slideBy = (right, upward) => movePose(({from, at}, up) => {
   const offset = minus(from, at);
   const side = unit(cross(up, offset));
@@ -495,13 +518,18 @@ function pixelAt(event) {
           y: Math.floor((event.clientY - box.top - view.y) / view.scale)};
 }
 
-let isAsking = false;
+const isInside = ({x, y}) =>
+    picture && x >= 0 && y >= 0 && x < picture.header.full_width && y < picture.header.full_height;
+
+let lastPixel = null;  // that the line below the picture is about
+let pixelTimer = null;
 function askForPixel(x, y) {
-  const header = picture?.header;
-  if (!header || isAsking || x < 0 || y < 0 || x >= header.full_width || y >= header.full_height) return;
-  isAsking = true;
-  setTimeout(() => { isAsking = false; }, 60);
-  send({type: 'pixel', x, y});
+  if (!isInside({x, y})) return;
+  lastPixel = {x, y};
+  pixelTimer ??= setTimeout(() => {
+    pixelTimer = null;
+    send({type: 'pixel', ...lastPixel});
+  }, 40);
 }
 
 const short = (x) => Number(x.toPrecision(4));
@@ -518,7 +546,7 @@ function takePixel(message) {
     parts.push(message.depth == null ? 'background' : `depth ${short(message.depth)}`);
     if (message.depth != null) parts.push(`normal ${shorts(message.normal)}`, `albedo ${shorts(message.albedo)}`);
   }
-  parts.push(`${message.samples} samples`);
+  parts.push(`${message.samples} sample${message.samples === 1 ? '' : 's'}`);
   byId('pixel').textContent = parts.join('  ·  ');
 }
 
@@ -529,6 +557,8 @@ function takePicked({x, y, sphere}) {
   const body = section.lastElementChild;
   section.hidden = false;
   body.replaceChildren();
+  announce(sphere ? `${sphere.name ?? 'a sphere'}, ${sphere.material}, line ${sphere.place?.line ?? 'unknown'}`
+                  : 'the background');
   const line = (text, place) => {
     const p = element('p', text);
     if (place) p.append(' ', placeLink(place));
@@ -590,7 +620,7 @@ canvas.addEventListener('pointermove', (event) => {
 canvas.addEventListener('pointerup', (event) => {
   const isClick = pointers.size === 1 && !drag.hasMoved;
   pointers.delete(event.pointerId);
-  if (!isClick) return;
+  if (!isClick || !isInside(pixelAt(event))) return;
   Object.assign(mark, pixelAt(event), {isShown: true});
   pick(mark.x, mark.y);
   askForPixel(mark.x, mark.y);
@@ -624,6 +654,7 @@ function moveMark(dx, dy) {
 function setComparing(value) {
   isComparing = value && Boolean(before);
   byId('compare').setAttribute('aria-pressed', String(isComparing));
+  showStatus();
   draw();
 }
 function addExposure(stops) {

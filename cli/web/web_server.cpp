@@ -120,6 +120,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
     const bool is_socket = websocket::is_upgrade(request);
     // Browsers always tell the origin of a WebSocket; other sites cannot read answers to GET.
     if (origin.empty() ? is_socket : origin != own) return refuse(http::status::forbidden);
+    // Newer browsers also tell it for GET. A frame of an editor may navigate to the page.
+    if (view(request["Sec-Fetch-Site"]) == "cross-site" &&
+        view(request["Sec-Fetch-Mode"]) != "navigate") {
+      return refuse(http::status::forbidden);
+    }
     std::string_view path = view(request.target());
     if (!path.starts_with('/')) return refuse(http::status::bad_request);
     path.remove_prefix(1);

@@ -94,6 +94,18 @@ describe('a save', () => {
     await end();
   });
 
+  test('of comments keeps the picture; of lines before the clicked sphere finds it again', async () => {
+    write('a.scene', plain());
+    const { page, end } = await serve('a.scene');
+    await clickPixel(page, 40, 20);
+    await page.waitForFunction("document.getElementById('sphere').innerText.includes('a.scene:15:3')");
+    write('a.scene', plain().replace('scene 1\n', 'scene 1\n\n// three\n// lines\n'));
+    await page.waitForFunction("document.getElementById('sphere').innerText.includes('a.scene:18:3')");
+    assert.equal(await page.evaluate('picture.header.scene'), 1);
+    assert.equal(await page.evaluate('before'), null);
+    await end();
+  });
+
   test('that is broken shows what is wrong, and the old picture', async () => {
     write('a.scene', plain());
     const { page, end } = await serve('a.scene');
@@ -190,6 +202,8 @@ test('params are fields with what --set takes, and the command has them', async 
   const { page, end } = await serve('a.scene', { flags: ['--samples=4'] });
   assert.equal(await text(page, 'command'), 'sdlc render a.scene --samples=4');
   assert.match(await text(page, 'params'), /How large the ball is\./);
+  assert.match(await text(page, 'params'), /--set label=a\n/, 'a string as it is');
+  assert.match(await text(page, 'params'), /--set 'tint=#ff0000'/);
   await page.$eval('#param-size', (slider) => {
     slider.value = 2;
     slider.dispatchEvent(new Event('input'));
@@ -314,6 +328,9 @@ for (const scheme of ['light', 'dark']) {
     assert.ok(await page.evaluate('document.documentElement.scrollWidth') <= 360);
     await clickPixel(page, 40, 20);
     assert.ok(await page.evaluate('document.documentElement.scrollWidth') <= 360);
+    const [toolsEnd, canvasEnd, panelStart] = await page.evaluate(
+        "['tools', 'view', 'panel'].map((id, i) => document.getElementById(id).getBoundingClientRect()[i < 2 ? 'bottom' : 'top'])");
+    assert.ok(toolsEnd < canvasEnd && canvasEnd <= panelStart + 1, 'nothing overlaps');
     await end();
   });
 }
