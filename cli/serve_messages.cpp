@@ -134,22 +134,30 @@ Json progress_json(const ServeRender::Progress& progress) {
 std::string picture_message(const ServedPicture& picture, const PictureView& view) {
   const render::RenderResult& result = picture.result;
   Json warnings = Json::array();
-  if (picture.is_finished) warnings = accuracy_warnings(picture.settings, result);
-  const Json header{{"scene", picture.scene},
-                    {"width", result.picture.width},
-                    {"height", result.picture.height},
-                    {"full_width", picture.width()},
-                    {"full_height", picture.height()},
-                    {"channel", kServedChannels[static_cast<std::size_t>(view.channel)]},
-                    {"has_channel", has_channel(picture, view.channel)},
-                    {"exposure", view.exposure},
-                    {"samples", describe_samples(result)},
-                    {"error", error_json(result.error)},
-                    {"plain_error", error_json(result.plain_error)},
-                    {"is_error_hidden", !result.rare_paths.empty()},
-                    {"warnings", std::move(warnings)},
-                    {"is_finished", picture.is_finished},
-                    {"seconds", picture.seconds}};
+  if (result.min_samples >= render::kMinReplicatedSamples) {
+    render::RenderSettings settings = picture.settings;
+    if (!picture.is_finished) {  // what it does not have may come
+      settings.error.reset();
+      settings.is_denoised = false;
+    }
+    warnings = accuracy_warnings(settings, result);
+  }
+  const Json header{
+      {"scene", picture.scene},
+      {"width", result.picture.width},
+      {"height", result.picture.height},
+      {"full_width", picture.width()},
+      {"full_height", picture.height()},
+      {"channel", kServedChannels[static_cast<std::size_t>(view.channel)]},
+      {"has_channel", has_channel(picture, view.channel)},
+      {"exposure", view.exposure},
+      {"samples", describe_samples(result)},
+      {"error", error_json(result.error)},
+      {"plain_error", error_json(result.plain_error)},
+      {"is_error_unknown", !result.error && result.min_samples >= render::kMinReplicatedSamples},
+      {"warnings", std::move(warnings)},
+      {"is_finished", picture.is_finished},
+      {"seconds", picture.seconds}};
   const std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
   const std::vector<std::uint8_t> codes = codes_of(picture, view.channel, view.exposure);
   std::string message;

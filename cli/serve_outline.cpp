@@ -88,7 +88,7 @@ Outline outline_at(ServedScene& scene, const TextPlace& cursor) {
   std::ranges::sort(seen);
   seen.erase(std::ranges::unique(seen).begin(), seen.end());
   if (!seen.empty() && seen.back() == kNoSphere) seen.pop_back();
-  const std::vector<lang::Origin> origins = scene.compiler->trace(seen);
+  const std::vector<lang::Origin> origins = scene.compiler->trace_again(seen);
   // The place of each sphere among the objects; the innermost one that any sphere has counts.
   std::vector<std::size_t> depths(seen.size(), objects.size());
   for (std::size_t i = 0; i < origins.size(); ++i) {

@@ -9,6 +9,7 @@ void ServePages::open(Viewer viewer) {
   Page& page = pages_[viewer];
   if (!scene_.empty()) server_->send(viewer, scene_);
   if (!outline_.empty()) server_->send(viewer, outline_);
+  if (!failure_.empty()) server_->send(viewer, failure_);
   offer(viewer, page);
 }
 
@@ -40,7 +41,13 @@ void ServePages::show_outline(std::string message) {
   send_to_all(outline_);
 }
 
+void ServePages::show_failure(std::string message) {
+  failure_ = std::move(message);
+  send_to_all(failure_);
+}
+
 void ServePages::show_picture(std::shared_ptr<const ServedPicture> picture) {
+  if (picture_ && picture_->scene != picture->scene) failure_.clear();
   picture_ = std::move(picture);
   for (auto& [viewer, page] : pages_) offer(viewer, page);
 }

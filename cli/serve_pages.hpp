@@ -34,6 +34,7 @@ class ServePages {
 
   void show_scene(std::string message);
   void show_outline(std::string message);
+  void show_failure(std::string message);
   void show_picture(std::shared_ptr<const ServedPicture> picture);
 
   /// To those that are open now.
@@ -59,7 +60,7 @@ class ServePages {
 
   WebServer*& server_;
   std::map<Viewer, Page> pages_;
-  std::string scene_, outline_;  // the last messages
+  std::string scene_, outline_, failure_;  // the last messages
   std::shared_ptr<const ServedPicture> picture_;
 };
 

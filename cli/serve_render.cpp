@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <sstream>
 #include <utility>
 
@@ -35,15 +36,21 @@ void ServeRender::start(Order order, const Environment& env) {
   monitor_ = std::make_unique<render::RenderMonitor>();
   settings_ = order.settings;
   start_ = render::Clock::now();
+  paused_ = 0;
   next_ = {};
   is_running_ = true;
   thread_ = std::thread([this, order = std::move(order), env]() mutable {
     std::ostringstream messages;
     Environment quiet = env.with_err(messages);
-    const ExitCode code = report_failure(quiet, [&] {
-      run(order);
-      return ExitCode::Success;
-    });
+    ExitCode code = ExitCode::Usage;
+    try {
+      code = report_failure(quiet, [&] {
+        run(order);
+        return ExitCode::Success;
+      });
+    } catch (const std::exception& error) {  // no thread could be started
+      messages << "error: " << error.what() << '\n';
+    }
     is_running_ = false;
     if (code != ExitCode::Success) handlers_.failed(order.scene, messages.str());
   });
@@ -67,9 +74,10 @@ ServeRender::Progress ServeRender::progress() const {
   progress.share = settings_.has_goal()
                        ? monitor_->goal_share.load()
                        : std::min(1.0, static_cast<double>(monitor_->samples_done.load()) / total);
-  const double seconds = render::seconds_since(start_);
-  progress.seconds_left =
-      progress.share > 0 ? seconds * (1 - progress.share) / progress.share : HUGE_VAL;
+  const double seconds = render::seconds_since(start_) - paused_.load();
+  progress.seconds_left = progress.is_paused   ? HUGE_VAL
+                          : progress.share > 0 ? seconds * (1 - progress.share) / progress.share
+                                               : HUGE_VAL;
   return progress;
 }
 
@@ -82,10 +90,12 @@ void ServeRender::set_watched(bool is_watched) {
 }
 
 void ServeRender::wait_until_watched() {
+  if (is_watched_ || is_cancelled()) return;
   std::unique_lock lock(mutex_);
+  const auto start = render::Clock::now();
   is_paused_ = true;
   watched_.wait(lock, [&] { return is_watched_ || is_cancelled(); });
-  is_paused_ = false;
+  if (is_paused_.exchange(false)) paused_ = paused_.load() + render::seconds_since(start);
 }
 
 std::shared_ptr<ServedPicture> ServeRender::new_picture(const Order& order) const {
@@ -98,9 +108,10 @@ std::shared_ptr<ServedPicture> ServeRender::new_picture(const Order& order) cons
 }
 
 void ServeRender::show_first_look(const Order& order) {
-  render::RenderMonitor monitor;
   auto picture = new_picture(order);
-  picture->result = render::render(*order.prepared, first_look_of(order.settings), monitor);
+  picture->result = render::render(*order.prepared, first_look_of(order.settings), *monitor_);
+  if (is_cancelled()) return;
+  monitor_->samples_done = monitor_->rays_done = 0;
   picture->seconds = render::seconds_since(order.start);
   handlers_.shown(std::move(picture));
 }
@@ -128,6 +139,7 @@ void ServeRender::show_pass(const Order& order, const render::Film& film,
     render::ErrorSoFar known = error();
     result.error = known.error;
     result.rare_paths = std::move(known.rare_paths);
+    result.scarce_emitters = std::move(known.scarce_emitters);
   }
   if (wants_channels_) {
     const int depth_exponent = order.prepared->tracer().depth_exponent();
@@ -146,6 +158,8 @@ void ServeRender::show_pass(const Order& order, const render::Film& film,
 
 void ServeRender::run(const Order& order) {
   const render::RenderSettings& settings = order.settings;
+  monitor_->before_tile = [this] { wait_until_watched(); };
+  wait_until_watched();
   const bool has_first_look =
       static_cast<double>(settings.width) * settings.height > 2 * kFirstLook && !settings.crop;
   if (has_first_look) show_first_look(order);

@@ -33,7 +33,9 @@ struct ServedPicture {
 
   int width() const noexcept { return settings.window().width; }
   int height() const noexcept { return settings.window().height; }
-  bool is_first_look() const noexcept { return result.picture.width != width(); }
+  bool is_first_look() const noexcept {
+    return result.picture.width != width() || result.picture.height != height();
+  }
 };
 
 /// Renders one scene at a time on a thread of its own, and pauses while nobody looks.
@@ -91,10 +93,11 @@ class ServeRender {
   std::thread thread_;
   render::RenderSettings settings_;
   render::Clock::time_point start_{}, next_{};
+  std::atomic<double> paused_{0};  // seconds
   std::atomic<bool> is_running_{false}, is_paused_{false}, wants_channels_{false};
   std::mutex mutex_;
   std::condition_variable watched_;
-  bool is_watched_ = false;
+  std::atomic<bool> is_watched_{false};
 };
 
 }  // namespace sdlc::cli

@@ -50,6 +50,12 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+/// -1 for what is no number of its type.
+int int_of(const Json& json) {
+  const bool is_int = json.is_number_integer() && json >= -1 && json <= 1'000'000'000;
+  return is_int ? json.get<int>() : -1;
+}
+
 /// What decides about a picture: equal ones give equal pictures.
 struct LookOfScene {
   render::SceneDigest scene;
@@ -96,6 +102,7 @@ class ServeSession {
   std::optional<ServeEditor> listen_to_editor(std::atomic<bool>& interrupted);
   void take_mail();
   void rebuild(std::shared_ptr<const lang::StopRequest> compilation);
+  void start_render(render::Clock::time_point start);
   void print_findings_of(const ServedScene& scene);
   void publish_scene();
   void publish_outline();
@@ -123,7 +130,7 @@ class ServeSession {
   std::uint64_t number_ = 0;             // of the pictures
   std::unique_ptr<ServedScene> latest_;  // null if it is shown_
   std::unique_ptr<ServedScene> shown_;   // the last correct one; may be null
-  std::optional<LookOfScene> look_;      // of shown_
+  std::optional<LookOfScene> look_;      // of shown_; nullopt: its render has been cancelled
   std::optional<TextPlace> cursor_;
   std::string progress_;
 
@@ -137,7 +144,8 @@ class ServeSession {
        .failed =
            [this](std::uint64_t scene, std::string failure) {
              server_->post([this, scene, failure = std::move(failure)] {
-               pages_.send_to_all(dump({{"type", "failure"}, {"scene", scene}, {"text", failure}}));
+               pages_.show_failure(
+                   dump({{"type", "failure"}, {"scene", scene}, {"text", failure}}));
              });
            }}};
 };
@@ -180,6 +188,9 @@ ExitCode ServeSession::run() {
   const InterruptGuard guard(interrupted);
   std::optional<WebServer> server;
   listen(server);
+  // Also after an exception: the render talks to the server.
+  const std::unique_ptr<ServeRender, void (*)(ServeRender*)> cancelled(
+      &render_, [](ServeRender* render) { render->cancel(); });
   {
     const std::optional<ServeEditor> editor = listen_to_editor(interrupted);
     const std::jthread watcher([this](const std::stop_token& token) {
@@ -190,14 +201,12 @@ ExitCode ServeSession::run() {
       }
     });
     // An editor sends its texts first.
-    mailbox_.put([this](ServeMail& mail) { mail.has_changed = !options_.has_editor; });
+    if (!options_.has_editor) mailbox_.put([](ServeMail& mail) { mail.has_changed = true; });
     while (!interrupted) {
       take_mail();
       publish_progress();
     }
   }
-  render_.cancel();
-  server.reset();  // before what its handlers use
   return ExitCode::Interrupted;
 }
 
@@ -219,7 +228,10 @@ void ServeSession::take_mail() {
     try {
       rebuild(std::move(compilation));
     } catch (const lang::StopRequested&) {  // there is mail
-      return mailbox_.put([&](ServeMail& later) { later.picks.merge(mail.picks); });
+      return mailbox_.put([&](ServeMail& later) {
+        later.picks.merge(mail.picks);
+        later.places.insert(later.places.begin(), mail.places.begin(), mail.places.end());
+      });
     }
   } else if (mail.choices) {
     publish_scene();  // an answer
@@ -237,6 +249,7 @@ void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation)
     look = look_of(lowered);
     if (shown_ && look == look_) return shown_->prepared;
     render_.cancel();
+    look_.reset();  // the picture is not finished
     return std::shared_ptr<const render::PreparedScene>();
   };
   auto scene = serve_scene(options_, choices_, compilation, on_correct, env);
@@ -244,13 +257,21 @@ void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation)
   lang::stop_if_requested(compilation.get());  // it could not find origins any more
   latest_ = std::move(scene);
   print_findings_of(*latest_);
-  if (!latest_->prepared) return publish_scene();
+  if (!latest_->prepared) {
+    publish_scene();
+    if (shown_ && !look_) start_render(start);
+    return;
+  }
   shown_ = std::move(latest_);
   // A change of comments leaves the picture as it is.
-  const bool is_other = std::exchange(look_, look) != look;
-  if (is_other) ++number_;
+  if (look == look_) return publish_scene();
+  ++number_;
   publish_scene();
-  if (!is_other) return;
+  start_render(start);
+}
+
+void ServeSession::start_render(render::Clock::time_point start) {
+  look_ = look_of(shown_->lowered);
   render_.start({.scene = number_,
                  .prepared = shown_->prepared,
                  .settings = shown_->lowered.settings,
@@ -278,7 +299,7 @@ void ServeSession::publish_scene() {
 }
 
 void ServeSession::publish_outline() {
-  if (!shown_) return;
+  if (!shown_ || latest_) return;  // the cursor is in the latest text
   const Outline outline = outline_at(*shown_, *cursor_);
   Json rows = Json::array();
   for (const PixelRow& row : outline.rows) rows.push_back({row.x, row.y, row.width});
@@ -306,7 +327,7 @@ void ServeSession::answer_pick(Viewer viewer, ServeMail::Pixel pixel) {
   }
   if (picked) {
     std::vector<lang::Origin> origins;
-    if (!picked->instance) origins = shown_->compiler->trace(std::span(&picked->sphere, 1));
+    if (!picked->instance) origins = shown_->compiler->trace_again(std::span(&picked->sphere, 1));
     answer["sphere"] =
         sphere_json(shown_->lowered.scene, *picked, origins.empty() ? nullptr : &origins.front());
   }
@@ -382,7 +403,7 @@ void ServeSession::receive(Viewer viewer, std::string_view text) {
   try {
     const std::string type = message.value("type", "");
     const auto pixel = [&] {
-      return ServeMail::Pixel{.x = message.at("x").get<int>(), .y = message.at("y").get<int>()};
+      return ServeMail::Pixel{.x = int_of(message.at("x")), .y = int_of(message.at("y"))};
     };
     if (type == "shown") {
       pages_.note_shown(viewer);
@@ -432,7 +453,7 @@ void ServeSession::choose(const Json& message) {
   }
   if (const auto frame = message.find("frame"); frame != message.end()) {
     choices.frame.reset();
-    if (!frame->is_null()) choices.frame = frame->get<int>();
+    if (!frame->is_null()) choices.frame = int_of(*frame);
   }
   if (const auto pose = message.find("pose"); pose != message.end()) {
     choices.pose.reset();

@@ -112,6 +112,8 @@ std::string Previews::url_of(const fs::path& scene, const std::vector<PreviewTex
   if (is_sandboxed) command.emplace_back("--sandbox");
   try {
     auto preview = std::make_unique<Preview>(scene, command, on_open_);
+    // The first message begins; the editor need not have the scene open.
+    preview->send(line_of(text_message(scene, nullptr)));
     for (const PreviewText& text : texts) {
       preview->send(line_of(text_message(text.path, text.text.get())));
     }

@@ -31,14 +31,14 @@ WebResource page() {
   replace_all(html, "@script@", kPageJs);
   // Only what is in the page runs. `ws:` is for browsers whose 'self' does not include it: the
   // scripts of the page connect to its own host.
-  return {
-      .type = "text/html",
-      .body = std::move(html),
-      .policy = fmt::format("default-src 'none'; script-src 'nonce-{0}'; style-src 'nonce-{0}'; "
-                            "img-src data:; connect-src 'self' ws:; base-uri 'none'; "
-                            "form-action 'none'; frame-ancestors 'self' vscode-webview: "
-                            "https://*.vscode-cdn.net",
-                            nonce)};
+  return {.type = "text/html",
+          .body = std::move(html),
+          .policy =
+              fmt::format("default-src 'none'; script-src 'nonce-{0}'; style-src 'nonce-{0}'; "
+                          "img-src data:; connect-src 'self' ws:; base-uri 'none'; "
+                          "form-action 'none'; frame-ancestors 'self' vscode-file: vscode-webview: "
+                          "https://*.vscode-cdn.net",
+                          nonce)};
 }
 
 }  // namespace sdlc::cli

@@ -24,7 +24,7 @@ function send(message) {
 
 function connect() {
   const url = new URL('live', location.href);
-  url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
+  url.protocol = 'ws:';
   socket = new WebSocket(url);
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => {
@@ -38,6 +38,7 @@ function connect() {
       failure: takeFailure, outline: takeOutline})[message.type]?.(message);
   };
   socket.onclose = () => {
+    isAnswered = true;
     setStatus('not connected: sdlc has ended, or is not to be reached', true);
     setTimeout(connect, 1000);
   };
@@ -64,7 +65,6 @@ function sendChoices() {
   send({type: 'choose', ...waiting});
   waiting = null;
   isAnswered = false;
-  setTimeout(() => { isAnswered = true; sendChoices(); }, 2000);  // the choice changed nothing
 }
 
 function takeScene(message) {
@@ -110,12 +110,12 @@ function takePicture(buffer) {
   image.getContext('2d').putImageData(data, 0, 0);
   const isOfOtherSize = !picture || picture.header.full_width !== header.full_width ||
                         picture.header.full_height !== header.full_height;
-  picture = {header, image, isFirstLook: header.width !== header.full_width};
+  picture = {header, image, isFirstLook: header.width !== header.full_width || header.height !== header.full_height};
   byId('compare').disabled = !before;
   if (isOfOtherSize) fit();
   draw();
   showStatus();
-  if (scene && header.is_finished) showFindings();
+  showWarnings();
   send({type: 'shown'});
   if (header.is_finished) byId('progress').value = 1;
   if (lastPixel) askForPixel(lastPixel.x, lastPixel.y);
@@ -127,8 +127,10 @@ function takeProgress(message) {
   showStatus();
 }
 
+let failure = null;  // why the render of a scene has ended: {scene, text}
 function takeFailure(message) {
-  setStatus(message.text, true);
+  failure = message;
+  showStatus();
 }
 
 // Status
@@ -156,6 +158,7 @@ function showStatus() {
     parts.push(scene.errors ? count : 'the scene cannot be rendered');
     if (picture) parts[0] += '; the picture is of the last correct version';
   }
+  if (failure?.scene === scene.scene) parts.push(failure.text);
   const header = (isComparing ? before : picture)?.header;
   if (isComparing) parts.push('before the last change');
   if (header) {
@@ -165,8 +168,8 @@ function showStatus() {
       const of = ({value, from, to}) => `${percent(value)} (${percent(from)} to ${percent(to)})`;
       const plain = header.plain_error ? `${percent(header.plain_error.value)} → ` : '';
       parts.push(`error ${plain}${of(header.error)}`);
-    } else if (header.is_error_hidden) {
-      parts.push('error unknown: rare paths may be missing');
+    } else if (header.is_error_unknown) {
+      parts.push('error unknown');
     }
   }
   if (isComparing) parts.push('pixels and clicks are of the new picture');
@@ -174,7 +177,7 @@ function showStatus() {
   else if (progress?.is_running && progress.seconds_left != null)
     parts.push(`${duration(progress.seconds_left)} left`);
   else if (header?.is_finished) parts.push('finished');
-  setStatus(parts.join(', '), !scene.is_correct);
+  setStatus(parts.join(', '), !scene.is_correct || failure?.scene === scene.scene);
 }
 
 // Texts and places
@@ -189,7 +192,7 @@ function element(tag, text, attributes = {}) {
 // A link that opens the editor.
 function placeLink(place) {
   const text = `${place.file}:${place.line}:${place.column}`;
-  const href = scene.has_editor ? '#' : `vscode://file${encodeURI(place.path)}:${place.line}:${place.column}`;
+  const href = scene.has_editor ? '#' : `vscode://file${place.path.split('/').map(encodeURIComponent).join('/')}:${place.line}:${place.column}`;
   const link = element('a', text, {href});
   if (scene.has_editor) {
     link.addEventListener('click', (event) => {
@@ -210,18 +213,25 @@ function showFindings() {
     if (finding.place) article.append(placeLink(finding.place));
     list.append(article);
   }
-  for (const warning of picture?.header.warnings ?? []) {
-    const article = element('article', null, {class: 'warning'});
-    article.append(element('p', warning));
-    list.append(article);
-  }
+}
+
+// What the picture on display lacks.
+function showWarnings() {
+  const list = byId('warnings');
+  const warnings = picture.header.warnings;
+  if (list.textContent === warnings.join('')) return;
+  list.replaceChildren(...warnings.map((warning) => element('p', warning)));
 }
 
 async function copy(text, button) {
-  await navigator.clipboard.writeText(text);
-  const label = button.textContent;
-  button.textContent = 'Copied';
-  setTimeout(() => { button.textContent = label; }, 1200);
+  button.dataset.label ??= button.textContent;
+  try {
+    await navigator.clipboard.writeText(text);
+    button.textContent = 'Copied';
+  } catch {
+    button.textContent = 'Refused';
+  }
+  setTimeout(() => { button.textContent = button.dataset.label; }, 1200);
 }
 document.addEventListener('click', ({target}) => {
   const id = target.dataset?.copy;
@@ -370,17 +380,22 @@ byId('play').addEventListener('click', play);
 function showCameras() {
   const camera = scene.shown?.camera;
   const names = scene.cameras;
-  byId('cameras').hidden = !camera && names.length < 2;
-  byId('camera-choice').hidden = names.length < 2;
+  const hasChoice = names.length > 1 || scene.camera;
+  byId('cameras').hidden = !camera && !hasChoice;
+  byId('camera-choice').hidden = !hasChoice;
   const select = byId('camera');
   if (document.activeElement !== select) {
-    select.replaceChildren(...names.map((name) => element('option', name, {value: name})));
-    select.value = scene.camera ?? camera?.name ?? '';
+    select.replaceChildren(element('option', 'of the scene', {value: ''}),
+                           ...names.map((name) => element('option', name, {value: name})));
+    select.value = scene.camera ?? '';
   }
   byId('camera-text').textContent = camera?.text ?? '';
   byId('camera-back').hidden = !scene.has_pose;
 }
-byId('camera').addEventListener('change', ({target}) => choose({camera: target.value}));
+byId('camera').addEventListener('change', ({target}) => {
+  pose = null;
+  choose({camera: target.value || null, pose: null});
+});
 byId('camera-back').addEventListener('click', () => {
   pose = null;
   choose({pose: null});
@@ -417,7 +432,8 @@ const orbitBy = (right, upward) => movePose(({from, at}, up) => {
   const side = unit(cross(up, offset));
   const tilted = turned(offset, side, -upward);
   // Not over the pole, where the picture would turn over.
-  const isNearPole = Math.abs(dot(unit(tilted), up)) > 0.999;
+  const height = (v) => Math.abs(dot(unit(v), up));
+  const isNearPole = height(tilted) > 0.999 && height(tilted) > height(offset);
   return {from: add(at, isNearPole ? offset : tilted), at};
 });
 const dollyBy = (factor) => movePose(({from, at}) => {
@@ -585,6 +601,7 @@ function takePicked({x, y, sphere}) {
 const pointers = new Map();
 let drag = null;
 canvas.addEventListener('pointerdown', (event) => {
+  if (event.button !== 0) return;
   canvas.setPointerCapture(event.pointerId);
   pointers.set(event.pointerId, event);
   drag = {x: event.clientX, y: event.clientY, hasMoved: false};
@@ -618,6 +635,7 @@ canvas.addEventListener('pointermove', (event) => {
   pointers.set(event.pointerId, event);
 });
 canvas.addEventListener('pointerup', (event) => {
+  if (!pointers.has(event.pointerId)) return;
   const isClick = pointers.size === 1 && !drag.hasMoved;
   pointers.delete(event.pointerId);
   if (!isClick || !isInside(pixelAt(event))) return;
@@ -647,6 +665,10 @@ function moveMark(dx, dy) {
   mark.x = Math.min(header.full_width - 1, Math.max(0, mark.x + dx));
   mark.y = Math.min(header.full_height - 1, Math.max(0, mark.y + dy));
   mark.isShown = true;
+  // The mark stays in view.
+  const place = (n, corner, size) => Math.min(size - 20, Math.max(20, corner + (n + 0.5) * view.scale)) - (n + 0.5) * view.scale;
+  view.x = place(mark.x, view.x, canvas.clientWidth);
+  view.y = place(mark.y, view.y, canvas.clientHeight);
   askForPixel(mark.x, mark.y);
   draw();
 }
@@ -669,9 +691,10 @@ function showActual() {
   zoomBy(1 / screenScale() / view.scale);
 }
 
+const nearer = (factor) => isOrbiting ? dollyBy(1 / factor) : zoomBy(factor);
 const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
 const keys = {
-  '+': () => zoomBy(1.25), '=': () => zoomBy(1.25), '-': () => zoomBy(0.8), '0': () => { fit(); draw(); }, '1': showActual,
+  '+': () => nearer(1.25), '=': () => nearer(1.25), '-': () => nearer(0.8), '0': () => { fit(); draw(); }, '1': showActual,
   o: () => setOrbiting(!isOrbiting), b: () => setComparing(!isComparing), c: nextChannel,
   ']': () => addExposure(0.5), '[': () => addExposure(-0.5), ' ': play, '?': () => byId('keys').showModal(),
 };
@@ -681,12 +704,13 @@ document.addEventListener('keydown', (event) => {
   if (isOnCanvas && arrows[event.key]) {
     event.preventDefault();
     const [dx, dy] = arrows[event.key];
-    if (isOrbiting) orbitBy(dx * 0.05, dy * 0.05);
+    if (isOrbiting && event.shiftKey) slideBy(dx * 0.05, dy * 0.05);
+    else if (isOrbiting) orbitBy(dx * 0.05, dy * 0.05);
     else moveMark(dx * (event.shiftKey ? 10 : 1), dy * (event.shiftKey ? 10 : 1));
   } else if (isOnCanvas && event.key === 'Enter') {
     if (!mark.isShown) moveMark(0, 0);
     pick(mark.x, mark.y);
-  } else if (isOnCanvas || event.target === document.body) {
+  } else if (isOnCanvas || event.target === document.body || (event.target.tagName === 'BUTTON' && event.key !== ' ')) {
     const act = keys[event.key];
     if (!act) return;
     event.preventDefault();

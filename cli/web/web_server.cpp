@@ -33,7 +33,7 @@ using Request = http::request<http::empty_body>;
 constexpr std::string_view kSocketName = "live";
 constexpr std::chrono::seconds kMaxRequestTime(10), kMaxAnswerTime(60);
 constexpr std::uint32_t kMaxHeader = 8 << 10;              // bytes
-constexpr std::size_t kMaxQueue = std::size_t{256} << 20;  // bytes: two pictures of 8K, and texts
+constexpr std::size_t kMaxQueue = std::size_t{1} << 30;  // bytes: a picture of the largest size, and texts
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -159,7 +159,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
     response->set(http::field::cache_control, "no-store");
     response->set("Referrer-Policy", "no-referrer");
     response->set("X-Content-Type-Options", "nosniff");
-    response->set("Cross-Origin-Resource-Policy", "same-origin");
+    // An editor may show the page in a frame.
+    if (resource.policy.empty()) response->set("Cross-Origin-Resource-Policy", "same-origin");
     response->set("Content-Security-Policy",
                   resource.policy.empty() ? "default-src 'none'" : resource.policy);
     if (!resource.file_name.empty()) {

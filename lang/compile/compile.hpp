@@ -74,6 +74,11 @@ class Compiler {
   /// of expanded instances have an origin without a file. Found by evaluating once more, so that no
   /// sphere has to store its origin.
   std::vector<Origin> trace(std::span<const std::uint32_t> spheres);
+  /// The same for a person who asks now and then: each call has the whole limit on steps.
+  std::vector<Origin> trace_again(std::span<const std::uint32_t> spheres) {
+    trace_steps_ = 0;
+    return trace(spheres);
+  }
 
   /// The loaded program; null for a config.
   Program* program() const noexcept { return program_.get(); }

@@ -25,9 +25,9 @@ ErrorSoFar known_error(const RenderResult& result, const EmitterTally& emitters)
   const bool is_cut_to_black =
       result.error && result.error->mean == 0 && result.truncated_paths > 0;
   if (is_cut_to_black || has_unseen_error(result, emitters)) {
-    return {.error = {}, .rare_paths = emitters.rare()};
+    return {.error = {}, .rare_paths = emitters.rare(), .scarce_emitters = emitters.scarce()};
   }
-  return {.error = result.error, .rare_paths = {}};
+  return {.error = result.error, .rare_paths = {}, .scarce_emitters = emitters.scarce()};
 }
 
 bool may_see_more(const ErrorGoal& goal, const EmitterTally& emitters, std::uint64_t samples) {
@@ -141,6 +141,10 @@ void GoalRender::estimate_plain() {
 
 ErrorSoFar GoalRender::error_so_far() {
   estimate_plain();
+  // A look after each pass is what settling is for.
+  if (goal_ && result_.error) {
+    result_.error = goal_->settled(result_.min_samples, *result_.error);
+  }
   put_counts(tracer_.counts(), result_);
   return known_error(result_, emitters_);
 }

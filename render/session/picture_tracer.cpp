@@ -54,6 +54,7 @@ void PictureTracer::for_each_tile(
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
           if (monitor_.cancel.load(std::memory_order_relaxed)) return;
+          if (monitor_.before_tile) monitor_.before_tile();
           const std::size_t begin = tile * pixels_per_tile;
           body(begin, std::min(pixels, begin + pixels_per_tile));
         }

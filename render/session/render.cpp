@@ -163,7 +163,7 @@ void check_error(const EmitterTally& emitters, RenderResult& result) {
     result.error.reset();
     result.has_reached_error = false;
   }
-  result.scarce_emitters = emitters.scarce();
+  result.scarce_emitters = std::move(known.scarce_emitters);
   result.sampled_lights = static_cast<std::uint32_t>(result.kernel.lights.size());
 }
 

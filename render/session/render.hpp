@@ -22,8 +22,10 @@ namespace sdlc::render {
 
 /// What is known of the error of a picture between two passes.
 struct ErrorSoFar {
-  std::optional<ErrorEstimate> error;  ///< as in RenderResult
-  std::vector<RarePath> rare_paths;    ///< as in RenderResult
+  // As in RenderResult
+  std::optional<ErrorEstimate> error = {};
+  std::vector<RarePath> rare_paths = {};
+  std::vector<ReachedEmitter> scarce_emitters = {};
 };
 
 /// Progress of a render for other threads, and a means to cancel it.
@@ -36,6 +38,8 @@ struct RenderMonitor {
   std::atomic<double> goal_share{0};
   /// Called once, after everything is built and before the first path is traced.
   std::function<void()> on_tracing;
+  /// Called by each thread before each tile, unless it is cancelled; it may wait.
+  std::function<void()> before_tile;
   /// Called after each pass with the samples so far, and with a function that estimates the error
   /// of the picture so far, which is not denoised.
   std::function<void(const Film& film, const std::function<ErrorSoFar()>& error)> on_pass;

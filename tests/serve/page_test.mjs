@@ -227,7 +227,7 @@ test('params are fields with what --set takes, and the command has them', async 
   await page.click('[aria-label="Reset tint"]');
   await page.waitForFunction('scene.is_correct && scene.params[2].value === null');
 
-  // A param that is renamed takes its value with it.
+  // The value of a param that is renamed is gone.
   write('a.scene', plain().replaceAll('size', 'reach'));
   await page.waitForFunction("scene.is_correct && scene.params[0].name === 'reach'");
   assert.match(await text(page, 'params'), /--set reach=1/);

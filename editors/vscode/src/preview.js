@@ -35,7 +35,7 @@ class Previews {
     if (!panel) {
       const title = `Preview ${path.basename(vscode.Uri.parse(scene).fsPath)}`;
       const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
-      panel = vscode.window.createWebviewPanel('sdlc.preview', title, column, { retainContextWhenHidden: true });
+      panel = vscode.window.createWebviewPanel('sdlc.preview', title, column, {});
       panel.onDidDispose(() => this.#panels.delete(scene));
       this.#panels.set(scene, panel);
     } else {

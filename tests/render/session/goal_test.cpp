@@ -257,7 +257,7 @@ TEST(Passes, ThatAreShownDoNotChangeThePictureOrItsError) {
     ASSERT_TRUE(shown.error);
     EXPECT_EQ(shown.error->relative_error, at_once.error->relative_error);
     ASSERT_TRUE(last.error);
-    EXPECT_LE(last.error->interval.to, shown.error->interval.to) << "goals settle";
+    EXPECT_EQ(last.error->interval.to, shown.error->interval.to);
   }
 }
 
@@ -267,14 +267,16 @@ TEST(Passes, HaveNoErrorWhereRarePathsHideIt) {
       .width = 96, .height = 54, .samples = 64, .light_sampling = LightSampling::On};
   RenderMonitor monitor;
   monitor.shows_passes = true;
-  int passes = 0;
-  monitor.on_pass = [&](const Film&, const std::function<ErrorSoFar()>& error_so_far) {
+  int passes = 0;  // with enough samples for an error
+  monitor.on_pass = [&](const Film& film, const std::function<ErrorSoFar()>& error_so_far) {
     const ErrorSoFar known = error_so_far();
     EXPECT_FALSE(known.error);
-    EXPECT_FALSE(known.rare_paths.empty() && ++passes > 3);
+    if (film.sample_counts().min < kMinReplicatedSamples) return;
+    ++passes;
+    EXPECT_FALSE(known.rare_paths.empty());
   };
   EXPECT_FALSE(render(scene, settings, monitor).error);
-  EXPECT_LE(passes, 3) << "those of fewer than 8 samples";
+  EXPECT_GT(passes, 3);
 }
 
 TEST(GoalForTime, GivesEveryPixelASampleHoweverShortItIs) {
