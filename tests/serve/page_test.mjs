@@ -12,9 +12,17 @@ const puppeteer = require('puppeteer-core');
 
 const folder = mkdtempSync(join(tmpdir(), 'sdlc-serve-'));
 const write = (name, text) => writeFileSync(join(folder, name), text);
+const kPatience = 600_000;  // ms
 let browser;
+async function newPage(context) {
+  const page = await context.newPage();
+  page.setDefaultTimeout(kPatience);
+  return page;
+}
 before(async () => {
-  browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM, args: ['--no-sandbox', '--disable-gpu'] });
+  // A busy machine is slow.
+  browser = await puppeteer.launch({ executablePath: process.env.CHROMIUM, args: ['--no-sandbox', '--disable-gpu'],
+                                     timeout: kPatience, protocolTimeout: kPatience });
 });
 after(async () => {
   await browser.close();
@@ -26,7 +34,7 @@ async function serve(name, { width = 1200, height = 900, scheme = 'light', flags
   const program = spawn(process.env.SDLC, ['serve', name, ...flags], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
   const url = await new Promise((resolve) => program.stdout.once('data', (data) => resolve(String(data).trim())));
   const context = await browser.createBrowserContext();
-  const page = await context.newPage();
+  const page = await newPage(context);
   const faults = [];
   page.on('pageerror', (error) => faults.push(error.message));
   page.on('console', (message) => { if (message.type() === 'error') faults.push(message.text()); });
@@ -351,7 +359,7 @@ test('an editor shows texts that are not saved, its cursor, and clicks', async (
   await until(() => said.length > 0);
   assert.equal(said[0].type, 'url');
   const context = await browser.createBrowserContext();
-  const page = await context.newPage();
+  const page = await newPage(context);
   await page.goto(said[0].url);
   await page.waitForFunction('picture && picture.header.is_finished');
   assert.deepEqual(await codeAt(page, 2, 2), [0, 0, 0], 'the text of the editor');
@@ -387,7 +395,7 @@ test('a second window is welcome, and nothing is rendered while none is seen', a
   const program = spawn(process.env.SDLC, ['serve', 'a.scene'], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
   const url = await new Promise((resolve) => program.stdout.once('data', (data) => resolve(String(data).trim())));
   const contexts = [await browser.createBrowserContext(), await browser.createBrowserContext()];
-  const pages = await Promise.all(contexts.map((context) => context.newPage()));
+  const pages = await Promise.all(contexts.map(newPage));
   for (const page of pages) await page.goto(url);
   for (const page of pages) await page.waitForFunction('picture');
   await pages[0].evaluate("choose({params: {size: '2'}})");
