@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <future>
+#include <ranges>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -211,7 +212,8 @@ bool PendingFrames::wait(std::chrono::milliseconds time) const {
 
 void PendingFrames::cancel() {
   is_canceled_ = true;
-  for (const auto& pending : frames_) pending->monitor.cancel = true;
+  // The last first: when one ends, the next must not begin.
+  for (const auto& pending : frames_ | std::views::reverse) pending->monitor.cancel = true;
 }
 
 std::pair<RenderedFrame, ExitCode> PendingFrames::take() {

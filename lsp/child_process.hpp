@@ -53,7 +53,7 @@ class ChildProcess {
   /// program. Blocks only if descriptor() is not readable.
   std::string read();
   /// Returns false if the program has ended, or has read nothing for `milliseconds`: then a part is
-  /// missing, and no more can be written.
+  /// missing, and no more can be written. Precondition: SIGPIPE is ignored.
   bool write(std::string_view text, int milliseconds);
   /// Waits for the end. The exit status, or 128 + n after signal n.
   int wait();

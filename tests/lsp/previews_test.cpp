@@ -1,4 +1,5 @@
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <thread>
@@ -83,6 +84,7 @@ TEST(PreviewCommand, ShowsThePlaceOfAClick) {
 }
 
 TEST(PreviewCommand, SaysIfThereIsNoPage) {
+  std::signal(SIGPIPE, SIG_IGN);  // as in the program
   const TemporaryFolder folder;
   for (const char* script :
        {"#!/bin/sh\nexit 1\n", "#!/bin/sh\necho '{\"type\": 3}'\n", "no program"}) {
