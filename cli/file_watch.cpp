@@ -89,8 +89,8 @@ void FileWatch::watch_folder_of(const fs::path& path) {
 std::vector<FileWatch::Change> FileWatch::wait(std::chrono::milliseconds time) {
   constexpr auto kMaxTime = std::chrono::seconds(1);
   pollfd poll{.fd = events_, .events = POLLIN, .revents = 0};
-  const bool is_told = ::poll(&poll, 1, static_cast<int>(time.count())) > 0;
-  if (is_told) {
+  const bool has_event = ::poll(&poll, 1, static_cast<int>(time.count())) > 0;
+  if (has_event) {
     std::array<char, 4096> ignored{};
     while (::read(events_, ignored.data(), ignored.size()) > 0) {
     }
@@ -98,12 +98,12 @@ std::vector<FileWatch::Change> FileWatch::wait(std::chrono::milliseconds time) {
     return {};
   }
   looked_ = std::chrono::steady_clock::now();
-  std::vector<Change> changes = find_changed(is_told);
+  std::vector<Change> changes = find_changed(has_event);
   for (const Change& change : changes) forget(change.reader);
   return changes;
 }
 
-std::vector<FileWatch::Change> FileWatch::find_changed(bool is_told) {
+std::vector<FileWatch::Change> FileWatch::find_changed(bool has_event) {
   std::map<Key, File> files;
   {
     const std::lock_guard lock(mutex_);
@@ -113,22 +113,22 @@ std::vector<FileWatch::Change> FileWatch::find_changed(bool is_told) {
   for (const auto& [key, before] : files) {  // by reader
     const auto& [reader, path] = key;
     if (!changes.empty() && changes.back().reader == reader) continue;
-    if (has_changed(key, before, is_told)) changes.push_back({.path = path, .reader = reader});
+    if (has_changed(key, before, has_event)) changes.push_back({.path = path, .reader = reader});
   }
   return changes;
 }
 
-bool FileWatch::has_changed(const Key& key, const File& before, bool is_told) {
-  // Some editors move the old file away before they make the new one; and a file whose end nobody
-  // has told may be half written.
+bool FileWatch::has_changed(const Key& key, const File& before, bool has_event) {
+  // Some editors move the old file away before they make the new one; and a file that no
+  // event has reported may be half written.
   constexpr auto kReplacing = std::chrono::milliseconds(100);
   const fs::path& path = key.second;
   std::optional<State> now = state_of(path);
   if (now == before.state) return false;
-  if (!now || !is_told) {
+  if (!now || !has_event) {
     std::this_thread::sleep_for(kReplacing);
     const std::optional<State> later = state_of(path);
-    if (later && later != now && !is_told) return false;  // it is being written
+    if (later && later != now && !has_event) return false;  // it is being written
     now = later;
   }
   if (now == before.state) return false;

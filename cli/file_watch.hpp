@@ -21,8 +21,8 @@
 namespace sdlc::cli {
 
 /// Notices when files are written, replaced, removed, or made where there were none, and have other
-/// contents than before. Changes on this machine are noticed at once where the system tells
-/// (inotify), all others within a second. Several readers, such as scenes, may watch one file.
+/// contents than before: changes on this machine at once, by inotify where it is there, all others
+/// within a second. Several readers, such as scenes, may watch one file.
 class FileWatch {
  public:
   using Reader = std::size_t;
@@ -75,9 +75,9 @@ class FileWatch {
   static std::optional<Contents> contents_of(const std::filesystem::path& path, std::size_t size);
   static Contents summary_of(std::string_view contents);
   void watch_folder_of(const std::filesystem::path& path);
-  std::vector<Change> find_changed(bool is_told);
+  std::vector<Change> find_changed(bool has_event);
   /// Whether the file has other contents than `before`.
-  bool has_changed(const Key& key, const File& before, bool is_told);
+  bool has_changed(const Key& key, const File& before, bool has_event);
 
   mutable std::mutex mutex_;
   std::map<Key, File> files_;

@@ -4,6 +4,7 @@
 
 #include "cli/frames.hpp"
 #include "cli/inspect_report.hpp"
+#include "cli/json_values.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
 #include "render/image/tone.hpp"
@@ -13,13 +14,6 @@
 
 namespace sdlc::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json triple(render::Vec3 v) { return {v.x, v.y, v.z}; }
-Json triple(render::LinearRgb c) { return {c.r, c.g, c.b}; }
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json number_or_null(std::optional<double> number) { return number ? Json(*number) : Json(); }
 
@@ -134,14 +128,6 @@ Json memory_json(const InspectReport& report) {
           {"picture_bytes", memory.picture},
           {"total_bytes", memory.total()},
           {"bytes_per_sphere", count > 0 ? Json(memory.per_sphere(count)) : Json()}};
-}
-
-/// Lines and columns from 1, columns in code points, as in diagnostics.
-/// Null without a file.
-Json location_json(const lang::Location& where) {
-  if (where.file == nullptr) return nullptr;
-  const lang::Position position = where.file->position(where.span.begin);
-  return {{"file", where.file->name()}, {"line", position.line}, {"column", position.column}};
 }
 
 Json precisions_json(const InspectReport& report) {

@@ -19,11 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Json triple(render::Vec3 v) { return Json::array({v.x, v.y, v.z}); }
-Json triple(render::LinearRgb c) { return Json::array({c.r, c.g, c.b}); }
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
-
 Json error_json(const std::optional<render::ErrorEstimate>& error) {
   if (!error) return nullptr;
   return {
@@ -48,7 +43,6 @@ Json findings_json(const std::vector<ServedFinding>& findings) {
   Json all = Json::array();
   for (const ServedFinding& finding : findings) {
     all.push_back({{"severity", finding.is_error ? "error" : "warning"},
-                   {"code", finding.code},
                    {"text", finding.text},
                    {"place", place_json(finding.where)}});
   }
@@ -65,33 +59,14 @@ Json camera_json(const ServedScene& scene) {
           {"text", camera_text(scene)}};
 }
 
-/// What is shown of a scene that is correct.
-Json shown_json(const ServedScene& scene) {
-  const lang::LoweredScene& lowered = scene.lowered;
-  const render::RenderSettings& settings = lowered.settings;
-  return {{"width", settings.width},
-          {"height", settings.height},
-          {"samples", settings.samples},
-          {"error", settings.error ? Json(*settings.error) : Json()},
-          {"spheres", render::count_spheres(lowered.scene)},
-          {"camera", camera_json(scene)},
-          {"exposure", lowered.output.mapping.exposure},
-          {"kernel", name_of(scene.prepared->kernel())},
-          {"compile_seconds", scene.compile_seconds},
-          {"build_seconds", scene.build_seconds}};
-}
-
 }  // namespace
 
 Json place_json(const lang::Location& where) {
-  if (where.file == nullptr) return nullptr;
-  const lang::Position position = where.file->position(where.span.begin);
+  Json place = location_json(where);
+  if (where.file == nullptr) return place;
   std::error_code ignored;
-  const fs::path path = fs::absolute(where.file->name(), ignored).lexically_normal();
-  return {{"file", where.file->name()},
-          {"path", path.string()},
-          {"line", position.line},
-          {"column", position.column}};
+  place["path"] = fs::absolute(where.file->name(), ignored).lexically_normal().string();
+  return place;
 }
 
 Json scene_json(std::uint64_t number, const ServedScene& scene, const ServedScene* shown,
@@ -109,7 +84,6 @@ Json scene_json(std::uint64_t number, const ServedScene& scene, const ServedScen
           {"is_correct", scene.prepared != nullptr},
           {"failure", text_or_null(scene.failure)},
           {"errors", scene.errors},
-          {"warnings", scene.warnings},
           {"findings", findings_json(scene.findings)},
           {"params", params_json(scene.params, choices)},
           {"animation", std::move(animation)},
@@ -119,7 +93,7 @@ Json scene_json(std::uint64_t number, const ServedScene& scene, const ServedScen
           {"has_pose", choices.pose.has_value()},
           {"command", command},
           {"has_editor", has_editor},
-          {"shown", shown != nullptr ? shown_json(*shown) : Json()}};
+          {"shown", shown != nullptr ? Json{{"camera", camera_json(*shown)}} : Json()}};
 }
 
 Json progress_json(const ServeRender::Progress& progress) {

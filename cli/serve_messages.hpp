@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "cli/json_values.hpp"
 #include "cli/serve_picture.hpp"
 #include "cli/serve_render.hpp"
 #include "cli/serve_scene.hpp"
@@ -18,8 +17,6 @@
 
 /// The messages of `sdlc serve` to its pages, which docs/serve.md describes.
 namespace sdlc::cli {
-
-using Json = nlohmann::json;
 
 /// A place in a text, for people and editors.
 Json place_json(const lang::Location& where);

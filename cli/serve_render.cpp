@@ -160,9 +160,9 @@ void ServeRender::run(const Order& order) {
   const render::RenderSettings& settings = order.settings;
   monitor_->before_tile = [this] { wait_until_watched(); };
   wait_until_watched();
-  const bool has_first_look =
-      static_cast<double>(settings.width) * settings.height > 2 * kFirstLook && !settings.crop;
-  if (has_first_look) show_first_look(order);
+  if (static_cast<double>(settings.width) * settings.height > 2 * kFirstLook) {
+    show_first_look(order);
+  }
   monitor_->shows_passes = true;
   monitor_->on_pass = [&](const render::Film& film,
                           const std::function<render::ErrorSoFar()>& error) {

@@ -20,7 +20,6 @@
 #include "lang/resolve/symbol_table.hpp"
 #include "lang/schema/schema.hpp"
 #include "lang/value/types.hpp"
-#include "render/math/clock.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -101,16 +100,30 @@ std::vector<ServedParam> read_params(const lang::Document& source, lang::Program
   return params;
 }
 
-/// The names of the cameras that the text declares.
-std::vector<std::string> read_cameras(const lang::Document& source) {
-  std::vector<std::string> cameras;
-  lang::DiagnosticSink ignored;
-  for (const lang::ast::Node statement : lang::ast::Node(source.tree(ignored), 0).children()) {
-    if (!statement.is(lang::SyntaxKind::Object) || statement.head() != "camera") continue;
-    const auto name = statement.first(lang::SyntaxKind::Name);
-    if (name) cameras.emplace_back(name->text());
+/// The cameras that the text declares.
+std::vector<lang::ast::Node> cameras_of(const lang::SyntaxTree& tree) {
+  std::vector<lang::ast::Node> cameras;
+  for (const lang::ast::Node statement : lang::ast::Node(tree, 0).children()) {
+    if (statement.is(lang::SyntaxKind::Object) && statement.head() == "camera") {
+      cameras.push_back(statement);
+    }
   }
   return cameras;
+}
+
+/// Empty if it has none.
+std::string_view name_of(const lang::ast::Node& object) {
+  const auto name = object.first(lang::SyntaxKind::Name);
+  return name ? name->text() : std::string_view();
+}
+
+std::vector<std::string> read_cameras(const lang::Document& source) {
+  std::vector<std::string> names;
+  lang::DiagnosticSink ignored;
+  for (const lang::ast::Node& camera : cameras_of(source.tree(ignored))) {
+    if (!name_of(camera).empty()) names.emplace_back(name_of(camera));
+  }
+  return names;
 }
 
 /// So that a param may be renamed while it has a value.
@@ -146,12 +159,10 @@ lang::Overrides overrides_of(const ServeOptions& options, const ServeChoices& ch
 void take_findings(ServedScene& scene) {
   const lang::Findings findings = lang::select_unallowed(scene.sink);
   scene.errors = findings.counts.errors;
-  scene.warnings = findings.counts.warnings;
   for (const lang::Diagnostic* finding : findings.shown) {
     std::ostringstream text;
     lang::make_diagnostic_writer({}, text)->write(*finding);
     scene.findings.push_back({.is_error = finding->info->severity == lang::Severity::Error,
-                              .code = std::string(finding->info->code),
                               .text = text.str(),
                               .where = finding->where});
   }
@@ -160,7 +171,6 @@ void take_findings(ServedScene& scene) {
 /// Compiles the text; prepares nothing if it has errors.
 void compile(const ServeOptions& options, ServeChoices& choices, const OnCorrect& on_correct,
              ServedScene& scene, Environment& env) {
-  const auto start = render::Clock::now();
   scene.source = read_scene(options.scene, env);
   if (scene.source->format() == lang::SourceFormat::Scene) {
     scene.params = read_params(*scene.source, program_options(options.scene, env), *scene.stop);
@@ -175,13 +185,11 @@ void compile(const ServeOptions& options, ServeChoices& choices, const OnCorrect
   }
   const lang::Overrides overrides = overrides_of(options, choices);
   auto lowered = scene.compiler->lower(overrides, choices.frame);
-  scene.compile_seconds = render::seconds_since(start);
   if (!lowered) return;
   check_goals(overrides, *lowered);
   const bool has_channels = lowered->settings.window().pixels() <= kMaxChannelPixels;
   lowered->settings.keeps_first_hits = lowered->settings.keeps_variance = has_channels;
   check_picture_memory(lowered->settings, {.normal = has_channels, .depth = has_channels}, true);
-  const auto build_start = render::Clock::now();
   render::Kernel kernel = choose_kernel(options.kernel, overrides, *lowered, *scene.compiler);
   check_not_refused(kernel);
   scene.lowered = *std::move(lowered);
@@ -189,7 +197,6 @@ void compile(const ServeOptions& options, ServeChoices& choices, const OnCorrect
   if (scene.prepared) return;
   scene.prepared = std::make_shared<const render::PreparedScene>(
       std::move(kernel), scene.lowered.scene, scene.lowered.settings.threads);
-  scene.build_seconds = render::seconds_since(build_start);
 }
 
 std::string json_text(render::Vec3 point) {
@@ -226,12 +233,9 @@ std::string camera_text(const ServedScene& scene) {
                        json_text(camera.at));
   }
   const std::string from = point_text(camera.from), at = point_text(camera.at);
-  const std::string& name = scene.lowered.camera->name;
-  const lang::ast::Node file(scene.compiler->program()->module(Program::kRoot).tree, 0);
-  for (const lang::ast::Node statement : file.children()) {
-    if (!statement.is(lang::SyntaxKind::Object) || statement.head() != "camera") continue;
-    const auto written = statement.first(lang::SyntaxKind::Name);
-    if (written ? written->text() != name : !name.empty()) continue;
+  for (const lang::ast::Node& statement :
+       cameras_of(scene.compiler->program()->module(Program::kRoot).tree)) {
+    if (name_of(statement) != scene.lowered.camera->name) continue;
     // The text as it is, with other values.
     std::string text(statement.text());
     std::size_t shift = statement.span().begin, replaced = 0;

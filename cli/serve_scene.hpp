@@ -52,7 +52,6 @@ struct ServedParam {
 /// A finding about the scene.
 struct ServedFinding {
   bool is_error = true;
-  std::string code;
   std::string text;  ///< with its excerpt, as `sdlc lint` prints it
   lang::Location where;
 };
@@ -68,12 +67,11 @@ struct ServedScene {
   std::vector<ServedParam> params;
   std::vector<std::string> cameras;  ///< the names of all, of a scene
   std::vector<ServedFinding> findings;
-  std::size_t errors = 0, warnings = 0;
+  std::size_t errors = 0;
   std::string failure;  ///< why it cannot be rendered, beside errors in the text; may be empty
   /// The rest only if `prepared` is not null.
   lang::LoweredScene lowered;  ///< with the pose of the choices
   std::shared_ptr<const render::PreparedScene> prepared;
-  double compile_seconds = 0, build_seconds = 0;
 
   explicit ServedScene(std::shared_ptr<const lang::StopRequest> request)
       : stop(std::move(request)), sink(stop.get()) {}

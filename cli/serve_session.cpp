@@ -130,7 +130,8 @@ class ServeSession {
   std::uint64_t number_ = 0;             // of the pictures
   std::unique_ptr<ServedScene> latest_;  // null if it is shown_
   std::unique_ptr<ServedScene> shown_;   // the last correct one; may be null
-  std::optional<LookOfScene> look_;      // of shown_; nullopt: its render has been cancelled
+  std::optional<LookOfScene> look_;      // of shown_
+  bool is_cancelled_ = false;            // the render of shown_ is, before it has finished
   std::optional<TextPlace> cursor_;
   std::string progress_;
 
@@ -247,9 +248,10 @@ void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation)
   std::optional<LookOfScene> look;
   const auto on_correct = [&](const lang::LoweredScene& lowered) {
     look = look_of(lowered);
-    if (shown_ && look == look_) return shown_->prepared;
+    // A change of comments leaves the picture as it is.
+    if (shown_ && !is_cancelled_ && look == look_) return shown_->prepared;
     render_.cancel();
-    look_.reset();  // the picture is not finished
+    is_cancelled_ = true;
     return std::shared_ptr<const render::PreparedScene>();
   };
   auto scene = serve_scene(options_, choices_, compilation, on_correct, env);
@@ -259,19 +261,19 @@ void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation)
   print_findings_of(*latest_);
   if (!latest_->prepared) {
     publish_scene();
-    if (shown_ && !look_) start_render(start);
+    if (shown_ && is_cancelled_) start_render(start);
     return;
   }
   shown_ = std::move(latest_);
-  // A change of comments leaves the picture as it is.
-  if (look == look_) return publish_scene();
+  look_ = look;
+  if (!is_cancelled_) return publish_scene();
   ++number_;
   publish_scene();
   start_render(start);
 }
 
 void ServeSession::start_render(render::Clock::time_point start) {
-  look_ = look_of(shown_->lowered);
+  is_cancelled_ = false;
   render_.start({.scene = number_,
                  .prepared = shown_->prepared,
                  .settings = shown_->lowered.settings,

@@ -87,7 +87,7 @@ function takeScene(message) {
 }
 let wasCorrect = true;
 
-// Tells users of screen readers what others see.
+// For users of screen readers: what others see.
 function announce(text) {
   byId('announcement').textContent = text;
 }

@@ -32,8 +32,9 @@ using Request = http::request<http::empty_body>;
 
 constexpr std::string_view kSocketName = "live";
 constexpr std::chrono::seconds kMaxRequestTime(10), kMaxAnswerTime(60);
-constexpr std::uint32_t kMaxHeader = 8 << 10;              // bytes
-constexpr std::size_t kMaxQueue = std::size_t{1} << 30;  // bytes: a picture of the largest size, and texts
+constexpr std::uint32_t kMaxHeader = 8 << 10;  // bytes
+constexpr std::size_t kMaxQueue = std::size_t{1}
+                                  << 30;  // bytes: a picture of the largest size, and texts
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -163,10 +164,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
     if (resource.policy.empty()) response->set("Cross-Origin-Resource-Policy", "same-origin");
     response->set("Content-Security-Policy",
                   resource.policy.empty() ? "default-src 'none'" : resource.policy);
-    if (!resource.file_name.empty()) {
-      response->set(http::field::content_disposition,
-                    fmt::format("attachment; filename=\"{}\"", resource.file_name));
-    }
     response->keep_alive(false);
     const bool has_body = parser_.get().method() != http::verb::head;
     response->content_length(resource.body.size());

@@ -13,8 +13,7 @@ namespace sdlc::cli {
 struct WebResource {
   std::string type;  ///< media type: "text/html"
   std::string body;
-  std::string file_name = {};  ///< the browser saves it under this name; empty: it shows it
-  std::string policy = {};     ///< its Content-Security-Policy; empty: nothing is loaded
+  std::string policy = {};  ///< its Content-Security-Policy; empty: nothing is loaded
 };
 
 /// A web server for the browsers of this machine. It listens on the loopback interface only, and

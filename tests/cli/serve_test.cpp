@@ -94,7 +94,7 @@ TEST_F(ServedScenes, SayWhatIsWrong) {
   EXPECT_FALSE(wrong_value->prepared);
   EXPECT_GE(wrong_value->errors, 1);
   const auto nowhere = serve(kScene, {.pose = lang::CameraPose{{0, 0, 1}, {0, 0, 1}}});
-  EXPECT_EQ(nowhere->findings.at(0).code, "E207") << "the pose has no direction";
+  EXPECT_THAT(nowhere->findings.at(0).text, HasSubstr("error[E207]")) << "no direction";
   std::filesystem::remove(folder_ / "a.scene");
   ServeOptions missing;
   missing.scene.file = (folder_ / "a.scene").string();

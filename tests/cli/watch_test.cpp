@@ -68,7 +68,7 @@ TEST(FileWatch, IgnoresOtherFiles) {
   for (int i = 0; i < 3; ++i) EXPECT_THAT(watch.wait(std::chrono::milliseconds(10)), IsEmpty());
 }
 
-TEST(FileWatch, TellsEachReaderOnceAndNobodyOfTheSameContents) {
+TEST(FileWatch, ReportsAChangeOnceToEachReaderButNoSameContents) {
   const TemporaryFolder folder;
   write_text(folder / "a", "one");
   cli::FileWatch watch;
@@ -80,13 +80,13 @@ TEST(FileWatch, TellsEachReaderOnceAndNobodyOfTheSameContents) {
   write_text(folder / "a", "one");
   for (int i = 0; i < 3; ++i) EXPECT_THAT(watch.wait(std::chrono::milliseconds(10)), IsEmpty());
   write_text(folder / "a", "two");
-  std::vector<cli::FileWatch::Reader> told;
-  while (told.size() < 2) {
+  std::vector<cli::FileWatch::Reader> notified;
+  while (notified.size() < 2) {
     for (const auto& change : watch.wait(std::chrono::milliseconds(50))) {
-      told.push_back(change.reader);
+      notified.push_back(change.reader);
     }
   }
-  EXPECT_THAT(told, ElementsAre(0, 1));
+  EXPECT_THAT(notified, ElementsAre(0, 1));
   EXPECT_EQ(watch.size(), 0);
 }
 

@@ -47,7 +47,7 @@ class Previews {
     if (panel.webview.html !== html) panel.webview.html = html;
   }
 
-  /** Tells the server where the cursor is. */
+  /** Sends the place of the cursor to the server. */
   follow({ textEditor, selections }) {
     const { document } = textEditor;
     const client = this.#server.client;
