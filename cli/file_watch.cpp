@@ -54,12 +54,18 @@ void FileWatch::add(const fs::path& path, Reader reader) {
   files_.emplace(Key(reader, file), File{.state = state_of(file), .contents = std::nullopt});
 }
 
-void FileWatch::note_contents(const fs::path& path, std::string_view contents, Reader reader) {
+void FileWatch::note_contents(const fs::path& path, std::optional<std::string_view> contents,
+                              Reader reader) {
   std::error_code ignored;
   const fs::path file = fs::absolute(path, ignored);
   const std::lock_guard lock(mutex_);
   const auto found = files_.find({reader, file});
-  if (found != files_.end()) found->second.contents = summary_of(contents);
+  if (found == files_.end()) return;
+  if (contents) {
+    found->second.contents = summary_of(*contents);
+  } else {
+    found->second = {.state = state_of(file), .contents = std::nullopt};
+  }
 }
 
 void FileWatch::forget(Reader reader) {
@@ -81,8 +87,8 @@ void FileWatch::watch_folder_of(const fs::path& path) {
   while (!fs::is_directory(folder, ignored) && folder != folder.parent_path()) {
     folder = folder.parent_path();
   }
-  if (!folders_.insert(folder).second) return;
-  // Not IN_CREATE and IN_MODIFY: then the file is not whole.
+  // It may be watched already; or one that has been removed and made again. Not IN_CREATE and
+  // IN_MODIFY: then the file is not whole.
   ::inotify_add_watch(events_, folder.c_str(), IN_CLOSE_WRITE | IN_MOVED_TO);
 }
 

@@ -40,8 +40,9 @@ class FileWatch {
 
   /// Watches a file, which need not be there, from its present state on.
   void add(const std::filesystem::path& path, Reader reader = 0);
-  /// What has been read of a watched file after add(): the same contents are no change.
-  void note_contents(const std::filesystem::path& path, std::string_view contents,
+  /// What has been read of a watched file after add(): the same contents are no change. nullopt: it
+  /// could not be read.
+  void note_contents(const std::filesystem::path& path, std::optional<std::string_view> contents,
                      Reader reader = 0);
   /// The files of this reader are not watched any more.
   void forget(Reader reader);
@@ -81,7 +82,6 @@ class FileWatch {
 
   mutable std::mutex mutex_;
   std::map<Key, File> files_;
-  std::set<std::filesystem::path> folders_;
   int events_ = -1;  // of inotify; -1 if there is none
   std::chrono::steady_clock::time_point looked_ = std::chrono::steady_clock::now();
 };
@@ -96,7 +96,9 @@ class WatchedFiles final : public lang::DiskFileSystem {
                                   std::error_code& error) const override {
     watch_.add(path, reader_);
     std::optional<std::string> text = DiskFileSystem::read(path, max, error);
-    if (text && text->size() <= max) watch_.note_contents(path, *text, reader_);
+    const bool is_whole = text && text->size() <= max;
+    watch_.note_contents(path, is_whole ? std::optional<std::string_view>(*text) : std::nullopt,
+                         reader_);
     return text;
   }
 

@@ -16,6 +16,11 @@ using Json = nlohmann::ordered_json;
 inline Json triple(render::Vec3 v) { return {v.x, v.y, v.z}; }
 inline Json triple(render::LinearRgb c) { return {c.r, c.g, c.b}; }
 
+/// On one line; what is not UTF-8 is replaced.
+inline std::string to_line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 inline Json text_or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 /// The beginning of a span: lines and columns from 1, columns in code points, as in diagnostics.

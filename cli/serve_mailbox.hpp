@@ -11,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/serve_messages.hpp"
+#include "cli/json_values.hpp"
 #include "cli/serve_outline.hpp"
-#include "cli/serve_scene.hpp"
 #include "cli/web/web_server.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 
@@ -28,27 +27,30 @@ struct ServeMail {
   using Text = std::pair<std::filesystem::path, std::optional<std::string>>;
 
   bool has_changed = false;                  ///< a file has, or a text
-  std::optional<ServeChoices> choices;       ///< the newest
+  Json choices = Json::object();             ///< one `choose` message; empty: none
   std::map<WebServer::Viewer, Pixel> picks;  ///< the newest of each viewer
   std::vector<Text> texts;
   std::optional<TextPlace> cursor;  ///< of an editor; the newest
   std::vector<Json> places;         ///< to be opened in the editor
+  std::optional<bool> is_watched;   ///< whether anybody looks now
 
   bool is_empty() const noexcept {
-    return !has_changed && !choices && picks.empty() && texts.empty() && !cursor && places.empty();
+    return !has_changed && choices.empty() && picks.empty() && texts.empty() && !cursor &&
+           places.empty() && !is_watched;
   }
 };
 
 /// Where it waits. May be used by any thread.
 class ServeMailbox {
  public:
-  /// Calls `put_in(mail)`. If a file has changed then, the compilation under way ends.
+  /// Calls `put_in(mail)`. If a file or a text has changed then, the compilation under way ends.
   template <typename PutIn>
   void put(const PutIn& put_in) {
     {
       const std::lock_guard lock(mutex_);
       put_in(mail_);
-      if (mail_.has_changed && compilation_) compilation_->make();
+      const bool is_outdated = mail_.has_changed || !mail_.texts.empty();
+      if (is_outdated && compilation_) compilation_->make();
     }
     arrived_.notify_all();
   }

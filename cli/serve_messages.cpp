@@ -132,7 +132,7 @@ std::string picture_message(const ServedPicture& picture, const PictureView& vie
       {"warnings", std::move(warnings)},
       {"is_finished", picture.is_finished},
       {"seconds", picture.seconds}};
-  const std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = to_line(header);
   const std::vector<std::uint8_t> codes = codes_of(picture, view.channel, view.exposure);
   std::string message;
   message.reserve(4 + text.size() + codes.size());

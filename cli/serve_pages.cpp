@@ -7,9 +7,9 @@ namespace sdlc::cli {
 
 void ServePages::open(Viewer viewer) {
   Page& page = pages_[viewer];
-  if (!scene_.empty()) server_->send(viewer, scene_);
-  if (!outline_.empty()) server_->send(viewer, outline_);
-  if (!failure_.empty()) server_->send(viewer, failure_);
+  if (!scene_.empty()) send(viewer, scene_);
+  if (!outline_.empty()) send(viewer, outline_);
+  if (!failure_.empty()) send(viewer, failure_);
   offer(viewer, page);
 }
 
@@ -49,11 +49,16 @@ void ServePages::show_failure(std::string message) {
 void ServePages::show_picture(std::shared_ptr<const ServedPicture> picture) {
   if (picture_ && picture_->scene != picture->scene) failure_.clear();
   picture_ = std::move(picture);
+  ++picture_number_;
   for (auto& [viewer, page] : pages_) offer(viewer, page);
 }
 
 void ServePages::send_to_all(const std::string& message) {
-  for (const auto& [viewer, page] : pages_) server_->send(viewer, message);
+  for (const auto& [viewer, page] : pages_) send(viewer, message);
+}
+
+void ServePages::send(Viewer viewer, const std::string& message) {
+  send_(viewer, message, WebServer::MessageType::Text);
 }
 
 bool ServePages::has_visible() const {
@@ -66,11 +71,11 @@ bool ServePages::wants_channels() const {
 }
 
 void ServePages::offer(Viewer viewer, Page& page) {
-  const bool is_shown = page.sent == picture_ && page.sent_view == page.view;
+  const bool is_shown = page.sent == picture_number_ && page.sent_view == page.view;
   if (!picture_ || page.is_busy || is_shown || !page.is_visible) return;
-  server_->send(viewer, picture_message(*picture_, page.view), WebServer::MessageType::Binary);
+  send_(viewer, picture_message(*picture_, page.view), WebServer::MessageType::Binary);
   page.is_busy = true;
-  page.sent = picture_;
+  page.sent = picture_number_;
   page.sent_view = page.view;
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/serve_messages.hpp"
 #include "cli/serve_render.hpp"
@@ -15,9 +18,9 @@ namespace sdlc::cli {
 class ServePages {
  public:
   using Viewer = WebServer::Viewer;
+  using Send = std::function<void(Viewer viewer, std::string message, WebServer::MessageType type)>;
 
-  /// `server` is set before a page is opened.
-  explicit ServePages(WebServer*& server) : server_(server) {}
+  explicit ServePages(Send send) : send_(std::move(send)) {}
 
   void open(Viewer viewer);
   void close(Viewer viewer) { pages_.erase(viewer); }
@@ -39,6 +42,7 @@ class ServePages {
 
   /// To those that are open now.
   void send_to_all(const std::string& message);
+  void send(Viewer viewer, const std::string& message);
 
   bool has_visible() const;
   /// Whether a page shows another channel than the colour.
@@ -50,18 +54,19 @@ class ServePages {
   struct Page {
     PictureView view;
     bool is_visible = true;
-    bool is_busy = false;  ///< it has a picture that it has not shown yet
-    std::shared_ptr<const ServedPicture> sent;
+    bool is_busy = false;    ///< it has a picture that it has not shown yet
+    std::uint64_t sent = 0;  ///< the number of the picture; 0: none
     PictureView sent_view;
   };
 
   /// Sends the picture to a page that lacks it and is ready for it: a slow one skips some.
   void offer(Viewer viewer, Page& page);
 
-  WebServer*& server_;
+  Send send_;
   std::map<Viewer, Page> pages_;
   std::string scene_, outline_, failure_;  // the last messages
   std::shared_ptr<const ServedPicture> picture_;
+  std::uint64_t picture_number_ = 0;
 };
 
 }  // namespace sdlc::cli

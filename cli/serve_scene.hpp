@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "cli/environment.hpp"
 #include "cli/scene_options.hpp"
+#include "cli/serve_choices.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lang/lower/lowered_scene.hpp"
@@ -28,16 +28,6 @@ struct ServeOptions {
   render::KernelRequest kernel;
   int port = 0;             ///< 0: any that is free
   bool has_editor = false;  ///< an editor talks over the standard streams
-};
-
-/// What the viewers of a scene choose beside its text.
-struct ServeChoices {
-  std::map<std::string, std::string> params = {};  ///< values as of --set, by name
-  std::optional<std::string> camera = {};          ///< nullopt: the scene's choice
-  std::optional<int> frame = {};                   ///< of an animation; nullopt: the first
-  std::optional<lang::CameraPose> pose = {};       ///< nullopt: that of the camera
-
-  friend bool operator==(const ServeChoices&, const ServeChoices&) = default;
 };
 
 /// A param of the scene.

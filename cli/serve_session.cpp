@@ -1,7 +1,6 @@
 #include "cli/serve_session.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -19,11 +18,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/accuracy_report.hpp"
 #include "cli/diagnostics_output.hpp"
 #include "cli/file_watch.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
+#include "cli/serve_choices.hpp"
 #include "cli/serve_editor.hpp"
 #include "cli/serve_mailbox.hpp"
 #include "cli/serve_messages.hpp"
@@ -31,13 +30,12 @@
 #include "cli/serve_pages.hpp"
 #include "cli/serve_picture.hpp"
 #include "cli/serve_render.hpp"
+#include "cli/serve_requests.hpp"
+#include "cli/serve_scene.hpp"
 #include "cli/usage_error.hpp"
-#include "cli/version.hpp"
-#include "cli/web/page.hpp"
 #include "cli/web/web_server.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/workspace/workspace.hpp"
-#include "render/image/image.hpp"
 #include "render/math/clock.hpp"
 #include "render/scene/digest.hpp"
 
@@ -46,25 +44,10 @@ namespace {
 
 using Viewer = WebServer::Viewer;
 
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-/// -1 for what is no number of its type.
-int int_of(const Json& json) {
-  const bool is_int = json.is_number_integer() && json >= -1 && json <= 1'000'000'000;
-  return is_int ? json.get<int>() : -1;
-}
-
 /// What decides about a picture: equal ones give equal pictures.
 struct LookOfScene {
   render::SceneDigest scene;
-  int width, height, samples, depth, threads;
-  std::uint64_t seed;
-  render::SamplerKind sampler;
-  render::LightSampling light_sampling;
-  std::optional<double> error;
-  bool is_adaptive, is_denoised;
+  render::RenderSettings settings;
   render::ToneMapping mapping;
   std::optional<render::Precision> precision;
 
@@ -72,19 +55,8 @@ struct LookOfScene {
 };
 
 LookOfScene look_of(const lang::LoweredScene& lowered) {
-  const render::RenderSettings& settings = lowered.settings;
   return {.scene = render::digest_of_parts(lowered.scene),
-          .width = settings.width,
-          .height = settings.height,
-          .samples = settings.samples,
-          .depth = settings.depth,
-          .threads = settings.threads,
-          .seed = settings.seed,
-          .sampler = settings.sampler,
-          .light_sampling = settings.light_sampling,
-          .error = settings.error,
-          .is_adaptive = settings.is_adaptive,
-          .is_denoised = settings.is_denoised,
+          .settings = lowered.settings,
           .mapping = lowered.output.mapping,
           .precision = lowered.precision};
 }
@@ -97,10 +69,11 @@ class ServeSession {
   ExitCode run();
 
  private:
-  // On the thread of the session
   void listen(std::optional<WebServer>& server);
   std::optional<ServeEditor> listen_to_editor(std::atomic<bool>& interrupted);
   void take_mail();
+  void take_texts(std::vector<ServeMail::Text> texts);
+  void take_choices(const Json& message);
   void rebuild(std::shared_ptr<const lang::StopRequest> compilation);
   void start_render(render::Clock::time_point start);
   void print_findings_of(const ServedScene& scene);
@@ -111,12 +84,9 @@ class ServeSession {
   void open_in_editor(const Json& place);
   bool reads(const ServedScene* scene, const std::filesystem::path& path) const;
 
-  // On the thread of the server
-  WebServer::Handlers handlers();
-  std::optional<WebResource> resource(std::string_view name) const;
-  void receive(Viewer viewer, std::string_view text);
-  void choose(const Json& message);
-  void look_at_pages();
+  // On the thread of the render
+  void show_picture(std::shared_ptr<const ServedPicture> picture);
+  void show_failure(std::uint64_t scene, const std::string& failure);
 
   const ServeOptions& options_;
   Environment& env_;
@@ -125,42 +95,36 @@ class ServeSession {
   lang::Workspace workspace_;
   ServeMailbox mailbox_;
 
-  ServeChoices choices_;                 // of the scene
-  ServeChoices asked_choices_;           // of the server's thread
+  ServeChoices choices_;
   std::uint64_t number_ = 0;             // of the pictures
   std::unique_ptr<ServedScene> latest_;  // null if it is shown_
   std::unique_ptr<ServedScene> shown_;   // the last correct one; may be null
   std::optional<LookOfScene> look_;      // of shown_
+  bool is_outdated_ = false;             // the text or the choices have changed since
   bool is_cancelled_ = false;            // the render of shown_ is, before it has finished
+  bool is_watched_ = false;              // by a window
   std::optional<TextPlace> cursor_;
   std::string progress_;
 
   WebServer* server_ = nullptr;
-  ServePages pages_{server_};
+  std::atomic<std::shared_ptr<const ServedPicture>> newest_;  // that no page has seen
   ServeRender render_{
-      {.shown =
-           [this](std::shared_ptr<const ServedPicture> picture) {
-             server_->post([this, picture = std::move(picture)] { pages_.show_picture(picture); });
-           },
-       .failed =
-           [this](std::uint64_t scene, std::string failure) {
-             server_->post([this, scene, failure = std::move(failure)] {
-               pages_.show_failure(
-                   dump({{"type", "failure"}, {"scene", scene}, {"text", failure}}));
-             });
-           }}};
+      {.shown = [this](auto picture) { show_picture(std::move(picture)); },
+       .failed = [this](std::uint64_t scene, auto failure) { show_failure(scene, failure); }}};
+  ServePages pages_{[this](Viewer viewer, std::string message, WebServer::MessageType type) {
+    server_->send(viewer, std::move(message), type);
+  }};
+  ServeRequests requests_{options_.has_editor, pages_, render_, mailbox_};
 };
-
-// The thread of the session
 
 void ServeSession::listen(std::optional<WebServer>& server) {
   try {
-    server.emplace(static_cast<std::uint16_t>(options_.port), handlers());
+    server.emplace(static_cast<std::uint16_t>(options_.port), requests_.handlers());
   } catch (const std::system_error& error) {
     throw UsageError(fmt::format("--port: cannot listen: {}", error.what()));
   }
   server_ = &*server;
-  env_.out << (options_.has_editor ? dump({{"type", "url"}, {"url", server->url()}})
+  env_.out << (options_.has_editor ? to_line({{"type", "url"}, {"url", server->url()}})
                                    : server->url())
            << std::endl;
 }
@@ -174,7 +138,6 @@ std::optional<ServeEditor> ServeSession::listen_to_editor(std::atomic<bool>& int
               [this](std::filesystem::path path, std::optional<std::string> text) {
                 mailbox_.put([&](ServeMail& mail) {
                   mail.texts.emplace_back(std::move(path), std::move(text));
-                  mail.has_changed = true;
                 });
               },
           .moved =
@@ -215,31 +178,48 @@ void ServeSession::take_mail() {
   constexpr std::chrono::milliseconds kTick(100);
   auto compilation = std::make_shared<lang::StopRequest>();
   ServeMail mail = mailbox_.take(kTick, compilation);
-  for (auto& [path, text] : mail.texts) {
-    if (text) {
-      workspace_.open(path, *std::move(text));
-    } else {
-      workspace_.close(path);
-    }
-  }
-  const bool is_outdated = mail.has_changed || (mail.choices && *mail.choices != choices_);
-  if (mail.choices) choices_ = *std::move(mail.choices);
+  if (mail.has_changed) is_outdated_ = true;
+  if (mail.is_watched) is_watched_ = *mail.is_watched;
   if (mail.cursor) cursor_ = std::move(mail.cursor);
-  if (is_outdated) {
+  take_texts(std::move(mail.texts));
+  take_choices(mail.choices);
+  // An editor shows findings itself.
+  const bool is_rebuilt = is_outdated_ && (is_watched_ || !options_.has_editor || !shown_);
+  if (is_rebuilt) {
     try {
       rebuild(std::move(compilation));
+      is_outdated_ = false;
     } catch (const lang::StopRequested&) {  // there is mail
       return mailbox_.put([&](ServeMail& later) {
         later.picks.merge(mail.picks);
         later.places.insert(later.places.begin(), mail.places.begin(), mail.places.end());
       });
     }
-  } else if (mail.choices) {
+  } else if (!mail.choices.empty()) {
     publish_scene();  // an answer
   }
   for (const auto& [viewer, pixel] : mail.picks) answer_pick(viewer, pixel);
   for (const Json& place : mail.places) open_in_editor(place);
-  if (cursor_ && (is_outdated || mail.cursor)) publish_outline();
+  if (cursor_ && (is_rebuilt || mail.cursor)) publish_outline();
+}
+
+void ServeSession::take_texts(std::vector<ServeMail::Text> texts) {
+  for (auto& [path, text] : texts) {
+    if (text) {
+      workspace_.open(path, *std::move(text));
+    } else {
+      workspace_.close(path);
+    }
+    // A scene with errors may lack this file.
+    const bool is_correct = shown_ && !latest_;
+    if (!is_correct || reads(shown_.get(), path)) is_outdated_ = true;
+  }
+}
+
+void ServeSession::take_choices(const Json& message) {
+  ServeChoices choices = choose(choices_, message);
+  if (choices != choices_) is_outdated_ = true;
+  choices_ = std::move(choices);
 }
 
 void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation) {
@@ -295,8 +275,8 @@ void ServeSession::publish_scene() {
   ServeChoices of_command = choices_;
   if (latest->animation && !of_command.frame) of_command.frame = latest->animation->first;
   std::string message =
-      dump(scene_json(number_, *latest, shown_.get(), choices_,
-                      render_command(env_.arguments, of_command), options_.has_editor));
+      to_line(scene_json(number_, *latest, shown_.get(), choices_,
+                         render_command(env_.arguments, of_command), options_.has_editor));
   server_->post([this, message = std::move(message)] { pages_.show_scene(message); });
 }
 
@@ -306,12 +286,12 @@ void ServeSession::publish_outline() {
   Json rows = Json::array();
   for (const PixelRow& row : outline.rows) rows.push_back({row.x, row.y, row.width});
   std::string message =
-      dump({{"type", "outline"}, {"step", outline.step}, {"rows", std::move(rows)}});
+      to_line({{"type", "outline"}, {"step", outline.step}, {"rows", std::move(rows)}});
   server_->post([this, message = std::move(message)] { pages_.show_outline(message); });
 }
 
 void ServeSession::publish_progress() {
-  std::string message = dump(progress_json(render_.progress()));
+  std::string message = to_line(progress_json(render_.progress()));
   if (message == progress_) return;
   progress_ = message;
   server_->post([this, message = std::move(message)] { pages_.send_to_all(message); });
@@ -319,7 +299,8 @@ void ServeSession::publish_progress() {
 
 void ServeSession::answer_pick(Viewer viewer, ServeMail::Pixel pixel) {
   if (!shown_) return;
-  Json answer{{"type", "picked"}, {"x", pixel.x}, {"y", pixel.y}, {"sphere", nullptr}};
+  Json answer{
+      {"type", "picked"}, {"scene", number_}, {"x", pixel.x}, {"y", pixel.y}, {"sphere", nullptr}};
   const render::RenderSettings& settings = shown_->lowered.settings;
   std::optional<render::PickedSphere> picked;
   if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < settings.width && pixel.y < settings.height) {
@@ -333,7 +314,7 @@ void ServeSession::answer_pick(Viewer viewer, ServeMail::Pixel pixel) {
     answer["sphere"] =
         sphere_json(shown_->lowered.scene, *picked, origins.empty() ? nullptr : &origins.front());
   }
-  server_->send(viewer, dump(answer));
+  server_->send(viewer, to_line(answer));
 }
 
 bool ServeSession::reads(const ServedScene* scene, const std::filesystem::path& path) const {
@@ -349,126 +330,25 @@ void ServeSession::open_in_editor(const Json& place) {
   try {
     const std::string path = place.at("path").get<std::string>();
     if (!reads(shown_.get(), path) && !reads(latest_.get(), path)) return;
-    env_.out << dump({{"type", "open"},
-                      {"path", path},
-                      {"line", place.at("line").get<std::uint32_t>()},
-                      {"column", place.at("column").get<std::uint32_t>()}})
+    env_.out << to_line({{"type", "open"},
+                         {"path", path},
+                         {"line", place.at("line").get<std::uint32_t>()},
+                         {"column", place.at("column").get<std::uint32_t>()}})
              << std::endl;
   } catch (const Json::exception&) {
     // A value of another type than the page sends.
   }
 }
 
-// The thread of the server
-
-WebServer::Handlers ServeSession::handlers() {
-  return {.get = [this](std::string_view name) { return resource(name); },
-          .opened =
-              [this](Viewer viewer) {
-                pages_.open(viewer);
-                look_at_pages();
-              },
-          .closed =
-              [this](Viewer viewer) {
-                pages_.close(viewer);
-                look_at_pages();
-              },
-          .received = [this](Viewer viewer, std::string_view text) { receive(viewer, text); }};
+void ServeSession::show_picture(std::shared_ptr<const ServedPicture> picture) {
+  // Only the newest waits for the server.
+  if (newest_.exchange(std::move(picture)) != nullptr) return;
+  server_->post([this] { pages_.show_picture(newest_.exchange(nullptr)); });
 }
 
-void ServeSession::look_at_pages() {
-  render_.set_watched(pages_.has_visible());
-  render_.set_wants_channels(pages_.wants_channels());
-}
-
-std::optional<WebResource> ServeSession::resource(std::string_view name) const {
-  if (name.empty()) return page();
-  const ServedPicture* const picture = pages_.picture();
-  const bool is_exr = name == "picture.exr";
-  if (picture == nullptr || !(is_exr || name == "picture.png")) return std::nullopt;
-  const auto mapping = is_exr ? std::nullopt : std::optional(picture->mapping);
-  const std::vector<std::byte> bytes = render::encode_picture(
-      picture->result.picture,
-      {.format = is_exr ? render::ImageFormat::Exr : render::ImageFormat::Png,
-       .mapping = picture->mapping,
-       .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                    .entries = picture_metadata(picture->settings, picture->result, mapping)}});
-  return WebResource{
-      .type = is_exr ? "image/x-exr" : "image/png",
-      .body = std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
-}
-
-void ServeSession::receive(Viewer viewer, std::string_view text) {
-  constexpr std::size_t kMaxPlaces = 10;  // before the first is opened
-  const Json message = Json::parse(text, nullptr, false);
-  if (!pages_.is_open(viewer) || !message.is_object()) return;
-  try {
-    const std::string type = message.value("type", "");
-    const auto pixel = [&] {
-      return ServeMail::Pixel{.x = int_of(message.at("x")), .y = int_of(message.at("y"))};
-    };
-    if (type == "shown") {
-      pages_.note_shown(viewer);
-    } else if (type == "view") {
-      const auto channel = std::ranges::find(kServedChannels, message.value("channel", "color"));
-      if (channel == kServedChannels.end()) return;
-      pages_.set_view(viewer,
-                      {.channel = static_cast<ServedChannel>(channel - kServedChannels.begin()),
-                       .exposure = std::clamp(message.value("exposure", 0.0), -100.0, 100.0)});
-      look_at_pages();
-    } else if (type == "visible") {
-      pages_.set_visible(viewer, message.value("value", true));
-      look_at_pages();
-    } else if (type == "choose") {
-      choose(message);
-    } else if (type == "pick") {
-      mailbox_.put([&](ServeMail& mail) { mail.picks[viewer] = pixel(); });
-    } else if (type == "open" && options_.has_editor) {
-      mailbox_.put([&](ServeMail& mail) {
-        if (mail.places.size() < kMaxPlaces) mail.places.push_back(message.at("place"));
-      });
-    } else if (type == "pixel" && pages_.picture() != nullptr) {
-      const auto [x, y] = pixel();
-      server_->send(viewer, dump(pixel_json(*pages_.picture(), x, y)));
-    }
-  } catch (const Json::exception&) {
-    // A value of another type than the page sends.
-  }
-}
-
-void ServeSession::choose(const Json& message) {
-  constexpr std::size_t kMaxParams = 1000;
-  ServeChoices choices = asked_choices_;
-  if (const auto params = message.find("params"); params != message.end()) {
-    for (const auto& [name, value] : params->items()) {
-      if (value.is_null()) {
-        choices.params.erase(name);
-      } else if (choices.params.size() < kMaxParams) {
-        choices.params[name] = value.get<std::string>();
-      }
-    }
-  }
-  if (const auto camera = message.find("camera"); camera != message.end()) {
-    choices.camera.reset();
-    choices.pose.reset();
-    if (!camera->is_null()) choices.camera = camera->get<std::string>();
-  }
-  if (const auto frame = message.find("frame"); frame != message.end()) {
-    choices.frame.reset();
-    if (!frame->is_null()) choices.frame = int_of(*frame);
-  }
-  if (const auto pose = message.find("pose"); pose != message.end()) {
-    choices.pose.reset();
-    if (!pose->is_null()) {
-      const auto point = [&](const char* name) {
-        const auto numbers = pose->at(name).get<std::array<double, 3>>();
-        return render::Vec3{numbers[0], numbers[1], numbers[2]};
-      };
-      choices.pose = lang::CameraPose{.from = point("from"), .at = point("at")};
-    }
-  }
-  asked_choices_ = choices;
-  mailbox_.put([&](ServeMail& mail) { mail.choices = std::move(choices); });
+void ServeSession::show_failure(std::uint64_t scene, const std::string& failure) {
+  std::string message = to_line({{"type", "failure"}, {"scene", scene}, {"text", failure}});
+  server_->post([this, message = std::move(message)] { pages_.show_failure(message); });
 }
 
 }  // namespace

@@ -122,6 +122,14 @@ Json preview(Session& session, const Json& argument) {
   return {{"url", url}, {"scene", session.uri_of(scene)}};
 }
 
+Json end_preview(Session& session, const Json& argument) {
+  const Json uri = about_text(argument).at("textDocument").at("uri");
+  if (session.has_previews()) {
+    session.previews().end(path_of_uri(uri.get_ref<const std::string&>()));
+  }
+  return nullptr;
+}
+
 // Fixes and explanations
 
 Json fix_all(Session& session, const Json& argument) {
@@ -219,9 +227,10 @@ struct Command {
   RequestHandler run;
 };
 
-constexpr std::array<Command, 5> kCommands{{
+constexpr std::array<Command, 6> kCommands{{
     {"sdlc.render", render},
     {"sdlc.preview", preview},
+    {"sdlc.endPreview", end_preview},
     {"sdlc.fixAll", fix_all},
     {"sdlc.explain", explain},
     {"sdlc.chooseScene", choose_scene},

@@ -1,6 +1,7 @@
 #include "lsp/previews.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <system_error>
@@ -30,6 +31,7 @@ class Previews::Preview {
   Preview& operator=(const Preview&) = delete;
 
   const fs::path& scene() const noexcept { return scene_; }
+  bool has_ended() const noexcept { return has_ended_; }
   /// Empty if it has ended, or takes too long to start.
   std::string url() {
     constexpr std::chrono::seconds kMaxTime(10);
@@ -57,6 +59,7 @@ class Previews::Preview {
       }
     }
     if (!has_url_) promise_.set_value({});
+    has_ended_ = true;
   }
 
   void take(const Json& message) {
@@ -82,6 +85,7 @@ class Previews::Preview {
   std::future<std::string> future_ = promise_.get_future();
   std::string url_;
   bool has_url_ = false;  // of the thread
+  std::atomic<bool> has_ended_{false};
   std::thread thread_;
 };
 
@@ -105,6 +109,7 @@ Previews::~Previews() = default;
 
 std::string Previews::url_of(const fs::path& scene, const std::vector<PreviewText>& texts,
                              bool is_sandboxed, int threads) {
+  std::erase_if(previews_, [](const auto& preview) { return preview->has_ended(); });
   const auto known = std::ranges::find(previews_, scene, &Preview::scene);
   if (known != previews_.end()) return (*known)->url();
   std::vector<std::string> command{program_, "serve", scene.string(), "--editor"};
@@ -125,6 +130,10 @@ std::string Previews::url_of(const fs::path& scene, const std::vector<PreviewTex
   } catch (const std::system_error& error) {
     throw RequestError(ErrorCode::RequestFailed, error.what());
   }
+}
+
+void Previews::end(const fs::path& scene) {
+  std::erase_if(previews_, [&](const auto& preview) { return preview->scene() == scene; });
 }
 
 void Previews::change(const fs::path& path, const std::string* text) {

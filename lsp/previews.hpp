@@ -43,6 +43,8 @@ class Previews {
   /// RequestError if it cannot be started.
   std::string url_of(const std::filesystem::path& scene, const std::vector<PreviewText>& texts,
                      bool is_sandboxed, int threads);
+  /// Ends the preview of a scene, if there is one.
+  void end(const std::filesystem::path& scene);
   /// null: the file on disk counts again.
   void change(const std::filesystem::path& path, const std::string* text);
   /// The cursor of the editor has moved.

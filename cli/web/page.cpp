@@ -23,22 +23,21 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 
 }  // namespace
 
-WebResource page() {
+WebResource page(std::string_view host) {
   const std::string nonce = random_token();
   std::string html(kPageHtml);
   replace_all(html, "@nonce@", nonce);
   replace_all(html, "@style@", kPageCss);
   replace_all(html, "@script@", kPageJs);
-  // Only what is in the page runs. `ws:` is for browsers whose 'self' does not include it: the
-  // scripts of the page connect to its own host.
+  // Only what is in the page runs. The WebSocket is named for browsers whose 'self' lacks it.
   return {.type = "text/html",
           .body = std::move(html),
           .policy =
               fmt::format("default-src 'none'; script-src 'nonce-{0}'; style-src 'nonce-{0}'; "
-                          "img-src data:; connect-src 'self' ws:; base-uri 'none'; "
+                          "img-src data:; connect-src 'self' ws://{1}; base-uri 'none'; "
                           "form-action 'none'; frame-ancestors 'self' vscode-file: vscode-webview: "
                           "https://*.vscode-cdn.net",
-                          nonce)};
+                          nonce, host)};
 }
 
 }  // namespace sdlc::cli

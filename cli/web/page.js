@@ -24,7 +24,7 @@ function send(message) {
 
 function connect() {
   const url = new URL('live', location.href);
-  url.protocol = 'ws:';
+  url.protocol = url.protocol.replace('http', 'ws');
   socket = new WebSocket(url);
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => {
@@ -81,7 +81,7 @@ function takeScene(message) {
   showStatus();
   sendChoices();
   // The text may have other lines now, and the place another sphere.
-  if (scene.is_correct && !byId('sphere').hidden) pick(mark.x, mark.y);
+  if (scene.is_correct && !byId('sphere').hidden) pick(mark.x, mark.y, opensPicked);
   if (scene.is_correct !== wasCorrect) announce(scene.is_correct ? 'The scene is correct' : `${scene.errors} errors`);
   wasCorrect = scene.is_correct;
 }
@@ -150,6 +150,8 @@ function duration(seconds) {
   return `${(seconds / 3600).toFixed(1)} h`;
 }
 
+const channelName = (value) => byId('channel').querySelector(`[value=${value}]`).textContent.replace(/:.*/, '');
+
 function showStatus() {
   if (!scene) return;
   const parts = [];
@@ -161,6 +163,12 @@ function showStatus() {
   if (failure?.scene === scene.scene) parts.push(failure.text);
   const header = (isComparing ? before : picture)?.header;
   if (isComparing) parts.push('before the last change');
+  if (isComparing && header.channel !== sent.channel) parts.push(`as ${channelName(header.channel)}`);
+  if (isComparing && header.exposure !== sent.exposure) parts.push(`at exposure ${header.exposure}`);
+  if (header && !header.has_channel) {
+    const why = header.is_finished ? 'the picture is too large for' : 'the next picture has';
+    parts.push(`${why} ${channelName(header.channel)}`);
+  }
   if (header) {
     if (!isComparing && picture.isFirstLook) parts.push('first look');
     else parts.push(header.samples);
@@ -189,21 +197,33 @@ function element(tag, text, attributes = {}) {
   return made;
 }
 
+const editorUrl = ({path, line, column}) =>
+    `vscode://file${path.split('/').map(encodeURIComponent).join('/')}:${line}:${column}`;
+
+function openPlace(place) {
+  if (scene.has_editor) send({type: 'open', place});
+  else location.href = editorUrl(place);
+}
+
 // A link that opens the editor.
 function placeLink(place) {
   const text = `${place.file}:${place.line}:${place.column}`;
-  const href = scene.has_editor ? '#' : `vscode://file${place.path.split('/').map(encodeURIComponent).join('/')}:${place.line}:${place.column}`;
+  const href = scene.has_editor ? '#' : editorUrl(place);
   const link = element('a', text, {href});
   if (scene.has_editor) {
     link.addEventListener('click', (event) => {
       event.preventDefault();
-      send({type: 'open', place});
+      openPlace(place);
     });
   }
   return link;
 }
 
+let shownFindings = '';
 function showFindings() {
+  const findings = JSON.stringify([scene.failure, scene.findings]);
+  if (findings === shownFindings) return;  // a link may have the focus
+  shownFindings = findings;
   const list = byId('findings');
   list.replaceChildren();
   if (scene.failure) list.append(element('pre', scene.failure));
@@ -566,9 +586,16 @@ function takePixel(message) {
   byId('pixel').textContent = parts.join('  ·  ');
 }
 
-const pick = (x, y) => send({type: 'pick', x, y});
+let opensPicked = false;
+function pick(x, y, opens) {
+  opensPicked = opens;
+  send({type: 'pick', x, y});
+}
 
-function takePicked({x, y, sphere}) {
+function takePicked({scene: of, x, y, sphere}) {
+  if (of !== scene.scene) return;  // asked again with the scene
+  if (opensPicked && sphere?.place) openPlace(sphere.place);
+  opensPicked = false;
   const section = byId('sphere');
   const body = section.lastElementChild;
   section.hidden = false;
@@ -640,9 +667,12 @@ canvas.addEventListener('pointerup', (event) => {
   pointers.delete(event.pointerId);
   if (!isClick || !isInside(pixelAt(event))) return;
   Object.assign(mark, pixelAt(event), {isShown: true});
-  pick(mark.x, mark.y);
+  pick(mark.x, mark.y, scene.has_editor);
   askForPixel(mark.x, mark.y);
   draw();
+});
+canvas.addEventListener('dblclick', (event) => {
+  if (isInside(pixelAt(event)) && !scene.has_editor) pick(mark.x, mark.y, true);
 });
 canvas.addEventListener('pointercancel', (event) => pointers.delete(event.pointerId));
 canvas.addEventListener('wheel', (event) => {
@@ -691,10 +721,18 @@ function showActual() {
   zoomBy(1 / screenScale() / view.scale);
 }
 
+function panBy(dx, dy) {
+  view.x += dx * canvas.clientWidth / 10;
+  view.y += dy * canvas.clientHeight / 10;
+  view.isFitted = false;
+  draw();
+}
+
 const nearer = (factor) => isOrbiting ? dollyBy(1 / factor) : zoomBy(factor);
 const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
 const keys = {
   '+': () => nearer(1.25), '=': () => nearer(1.25), '-': () => nearer(0.8), '0': () => { fit(); draw(); }, '1': showActual,
+  a: () => panBy(1, 0), d: () => panBy(-1, 0), w: () => panBy(0, 1), s: () => panBy(0, -1),
   o: () => setOrbiting(!isOrbiting), b: () => setComparing(!isComparing), c: nextChannel,
   ']': () => addExposure(0.5), '[': () => addExposure(-0.5), ' ': play, '?': () => byId('keys').showModal(),
 };
@@ -709,7 +747,7 @@ document.addEventListener('keydown', (event) => {
     else moveMark(dx * (event.shiftKey ? 10 : 1), dy * (event.shiftKey ? 10 : 1));
   } else if (isOnCanvas && event.key === 'Enter') {
     if (!mark.isShown) moveMark(0, 0);
-    pick(mark.x, mark.y);
+    pick(mark.x, mark.y, scene.has_editor);
   } else if (isOnCanvas || event.target === document.body || (event.target.tagName === 'BUTTON' && event.key !== ' ')) {
     const act = keys[event.key];
     if (!act) return;

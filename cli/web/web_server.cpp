@@ -1,5 +1,6 @@
 #include "cli/web/web_server.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <deque>
@@ -33,8 +34,6 @@ using Request = http::request<http::empty_body>;
 constexpr std::string_view kSocketName = "live";
 constexpr std::chrono::seconds kMaxRequestTime(10), kMaxAnswerTime(60);
 constexpr std::uint32_t kMaxHeader = 8 << 10;  // bytes
-constexpr std::size_t kMaxQueue = std::size_t{1}
-                                  << 30;  // bytes: a picture of the largest size, and texts
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -66,6 +65,7 @@ struct Hub {
   WebServer::Handlers handlers;
   std::string token;
   std::size_t connections = 0;
+  std::size_t waiting_bytes = 0;  // of all connections
   WebServer::Viewer last_viewer = 0;
   std::map<WebServer::Viewer, Connection*> viewers;
 };
@@ -77,7 +77,11 @@ class Connection : public std::enable_shared_from_this<Connection> {
     parser_.header_limit(kMaxHeader);
     parser_.body_limit(0);
   }
-  ~Connection() { --hub_.connections; }
+  ~Connection() {
+    --hub_.connections;
+    hub_.waiting_bytes -= waiting_bytes_;
+    if (hub_.viewers.erase(viewer_) > 0) hub_.handlers.closed(viewer_);
+  }
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
@@ -93,12 +97,15 @@ class Connection : public std::enable_shared_from_this<Connection> {
   }
 
   void send(std::string message, bool is_binary) {
-    queued_bytes_ += message.size();
     // Not even the pings of a browser that has stopped reading would get through.
-    if (queued_bytes_ > kMaxQueue) return close();
+    if (queue_.size() >= WebServer::kMaxWaiting) return close();
+    const std::size_t bytes = message.size();
     queue_.push_back({std::move(message), is_binary});
+    waiting_bytes_ += bytes;
+    hub_.waiting_bytes += bytes;
     if (queue_.size() == 1) write_next();
   }
+  std::size_t waiting_bytes() const noexcept { return waiting_bytes_; }
   void close() { tcp_stream().close(); }
 
  private:
@@ -141,7 +148,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
       return is_socket ? upgrade() : refuse(http::status::upgrade_required);
     }
     try {
-      std::optional<WebResource> resource = hub_.handlers.get(path);
+      std::optional<WebResource> resource =
+          hub_.handlers.get({.name = path, .host = view(request[http::field::host])});
       if (!resource) return refuse(http::status::not_found);
       respond(http::status::ok, *std::move(resource));
     } catch (const std::exception&) {
@@ -197,7 +205,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   void read_next() {
     socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
-      if (error) return self->end();
+      if (error) return self->close();
       const auto bytes = self->buffer_.cdata();
       const std::string_view text(static_cast<const char*>(bytes.data()), bytes.size());
       if (self->socket_.got_text()) self->hub_.handlers.received(self->viewer_, text);
@@ -211,15 +219,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
     socket_.async_write(asio::buffer(queue_.front().bytes),
                         [self = shared_from_this()](beast::error_code error, std::size_t) {
                           if (error) return self->close();
-                          self->queued_bytes_ -= self->queue_.front().bytes.size();
+                          const std::size_t bytes = self->queue_.front().bytes.size();
+                          self->waiting_bytes_ -= bytes;
+                          self->hub_.waiting_bytes -= bytes;
                           self->queue_.pop_front();
                           if (!self->queue_.empty()) self->write_next();
                         });
-  }
-
-  void end() {
-    if (hub_.viewers.erase(viewer_) > 0) hub_.handlers.closed(viewer_);
-    close();
   }
 
   Hub& hub_;
@@ -227,7 +232,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   beast::flat_buffer buffer_{WebServer::kMaxMessage + kMaxHeader};
   http::request_parser<http::empty_body> parser_;
   std::deque<Message> queue_;  // the first is being written
-  std::size_t queued_bytes_ = 0;
+  std::size_t waiting_bytes_ = 0;
   WebServer::Viewer viewer_ = 0;
 };
 
@@ -248,7 +253,15 @@ class WebServer::Listener {
       throw std::system_error(error.value(), std::generic_category(), fmt::format("port {}", port));
     }
     accept();
-    thread_ = std::thread([this] { context_.run(); });
+    thread_ = std::thread([this] {
+      while (!context_.stopped()) {
+        try {
+          context_.run();
+        } catch (const std::exception&) {
+          // The connection that it is about has no operation any more, and is closed.
+        }
+      }
+    });
   }
   ~Listener() {
     context_.stop();
@@ -268,10 +281,17 @@ class WebServer::Listener {
       const auto found = hub_.viewers.find(viewer);
       if (found == hub_.viewers.end()) return;
       found->second->send(std::move(message), type == MessageType::Binary);
+      if (hub_.waiting_bytes > kMaxWaitingBytes) close_slowest();
     });
   }
 
  private:
+  void close_slowest() {
+    const auto slowest = std::ranges::max_element(
+        hub_.viewers, {}, [](const auto& viewer) { return viewer.second->waiting_bytes(); });
+    if (slowest != hub_.viewers.end()) slowest->second->close();
+  }
+
   void accept() {
     acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
       constexpr std::chrono::milliseconds kPause(100);

@@ -9,7 +9,13 @@
 
 namespace sdlc::cli {
 
-/// An answer to a GET request.
+/// A GET request of TOKEN/name.
+struct WebRequest {
+  std::string_view name;
+  std::string_view host;  ///< as the browser knows this machine: "127.0.0.1:8080"
+};
+
+/// The answer to it.
 struct WebResource {
   std::string type;  ///< media type: "text/html"
   std::string body;
@@ -24,15 +30,20 @@ class WebServer {
  public:
   /// A connected browser window. Numbers are not used again.
   using Viewer = std::uint64_t;
-  /// Called on the thread of the server.
+  /// Called on the thread of the server. An exception ends the connection that it is about.
   struct Handlers {
-    /// What is at TOKEN/name; nullopt: nothing.
-    std::function<std::optional<WebResource>(std::string_view name)> get;
+    /// nullopt: there is nothing of this name.
+    std::function<std::optional<WebResource>(const WebRequest& request)> get;
     std::function<void(Viewer viewer)> opened, closed;
     std::function<void(Viewer viewer, std::string_view text)> received;
   };
   static constexpr std::size_t kMaxConnections = 128;
   static constexpr std::size_t kMaxMessage = std::size_t{64} << 10;  ///< bytes, from a browser
+  /// That wait for one viewer to read them. One that reads too little is closed, as is the slowest
+  /// if those of all viewers have more than kMaxWaitingBytes.
+  static constexpr std::size_t kMaxWaiting = 1000;
+  /// A picture of the largest size, and texts.
+  static constexpr std::size_t kMaxWaitingBytes = std::size_t{1} << 30;
 
   /// Listens on this port, 0: any that is free. Throws std::system_error.
   WebServer(std::uint16_t port, Handlers handlers);
@@ -44,11 +55,10 @@ class WebServer {
   const std::string& url() const noexcept { return url_; }
 
   enum class MessageType : std::uint8_t { Text, Binary };
-  /// Calls the function on the thread of the server, unless that ends before. May be called by any
-  /// thread.
+  /// Calls the function on the thread of the server, unless that ends before; its exceptions are
+  /// dropped. May be called by any thread.
   void post(std::function<void()> function);
-  /// Sends a message to a viewer, unless it is gone. A viewer that has too much to read is closed.
-  /// May be called by any thread.
+  /// Sends a message to a viewer, unless it is gone. May be called by any thread.
   void send(Viewer viewer, std::string message, MessageType type = MessageType::Text);
 
  private:

@@ -140,6 +140,8 @@ struct RenderSettings {
   bool has_goal() const noexcept { return error || seconds; }
   /// With one sample per pixel, it goes through the pixel's centre.
   bool is_centred() const noexcept { return samples == 1 && !has_goal(); }
+
+  friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
 }  // namespace sdlc::render

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/serve_choices.hpp"
 #include "cli/serve_messages.hpp"
 #include "cli/serve_outline.hpp"
 #include "cli/serve_picture.hpp"
@@ -82,6 +83,27 @@ TEST_F(ServedScenes, TakeChoicesAndDropThoseThatAreGone) {
   EXPECT_EQ(scene->lowered.scene.spheres.at(0).radius, 5);
   EXPECT_THAT(choices_.params, ElementsAre(std::pair("count", "5")));
   EXPECT_FALSE(choices_.frame) << "there is no animation";
+}
+
+TEST(ServeChoices, AddUp) {
+  Json all = Json::object();
+  const auto add = [&](const char* message) { add_choices(Json::parse(message), all); };
+  add(R"({"type": "choose", "params": {"a": "1", "b": "2"}, "frame": 3})");
+  add(R"({"pose": {"from": [1, 2, 3], "at": [0, 0, 0]}})");
+  add(R"({"params": {"a": null, "c": "4"}})");
+  const ServeChoices before{.params = {{"a", "0"}, {"d", "5"}}, .camera = "main"};
+  ServeChoices after = choose(before, all);
+  EXPECT_THAT(after.params,
+              ElementsAre(std::pair("b", "2"), std::pair("c", "4"), std::pair("d", "5")));
+  EXPECT_EQ(after.camera, "main");
+  EXPECT_EQ(after.frame, 3);
+  EXPECT_EQ(after.pose->from.y, 2);
+  add(R"({"camera": null})");
+  after = choose(after, all);
+  EXPECT_FALSE(after.camera);
+  EXPECT_FALSE(after.pose) << "of the camera before";
+  EXPECT_THROW(choose({}, Json::parse(R"({"params": {"a": 1}})")), Json::exception);
+  EXPECT_THROW(choose({}, Json::parse(R"({"pose": {"from": [1, 2]}})")), Json::exception);
 }
 
 TEST_F(ServedScenes, SayWhatIsWrong) {

@@ -90,6 +90,19 @@ TEST(FileWatch, ReportsAChangeOnceToEachReaderButNoSameContents) {
   EXPECT_EQ(watch.size(), 0);
 }
 
+TEST(FileWatch, ReportsAFileThatWasMissingAndReturnsAsItWas) {
+  const TemporaryFolder folder;
+  write_text(folder / "a", "one");
+  cli::FileWatch watch;
+  const cli::WatchedFiles files(watch);
+  std::error_code error;
+  EXPECT_EQ(files.read(folder / "a", 99, error), "one");
+  fs::rename(folder / "a", folder / "b");
+  EXPECT_EQ(files.read(folder / "a", 99, error), std::nullopt);
+  fs::rename(folder / "b", folder / "a");
+  EXPECT_EQ(wait_for_change(watch), folder / "a");
+}
+
 TEST(Cancellation, EndsTheRenderUnderWayAndLaterOnes) {
   cli::Cancellation cancellation;
   std::atomic<bool> first{false}, second{false};

@@ -83,6 +83,25 @@ TEST(PreviewCommand, ShowsThePlaceOfAClick) {
   EXPECT_EQ(shown.at("selection").at("start"), Json({{"line", 1}, {"character", 2}}));
 }
 
+TEST(PreviewCommand, StartsAnotherPageAfterTheEndOfOne) {
+  std::signal(SIGPIPE, SIG_IGN);  // as in the program
+  const TemporaryFolder folder;
+  TestClient client(Json::object(), Json::object(),
+                    {.limits = {}, .program = page_program(folder, "")});
+  client.open("a.scene", "scene 1\ncamera {}\n");
+  const Json answer = preview(client, {{"uri", client.uri("a.scene")}}).result;
+  const Json end{{"command", "sdlc.endPreview"},
+                 {"arguments", Json::array({{{"uri", answer.at("scene")}}})}};
+  client.change("a.scene", "scene 1\n// one\n");
+  wait_for_log(folder, "// one");
+  EXPECT_EQ(client.ask("workspace/executeCommand", end).error, nullptr);
+  client.change("a.scene", "scene 1\n// two\n");
+  EXPECT_EQ(content_of(folder / "log").find("// two"), std::string::npos) << "it has ended";
+  EXPECT_EQ(preview(client, {{"uri", client.uri("a.scene")}}).result, answer);
+  wait_for_log(folder, "// two");
+  EXPECT_EQ(content_of(folder / "log").find("// one"), std::string::npos) << "of the new one";
+}
+
 TEST(PreviewCommand, SaysIfThereIsNoPage) {
   std::signal(SIGPIPE, SIG_IGN);  // as in the program
   const TemporaryFolder folder;

@@ -123,6 +123,13 @@ describe('a save', () => {
     assert.match(findings, /E104/);
     assert.match(findings, /radios: size/);
     assert.match(findings, /did you mean `radius`/);
+    await page.focus('#findings a');
+    await page.select('#channel', 'normal');
+    await page.waitForFunction("picture.header.channel === 'normal'");
+    await page.evaluate("choose({params: {turn: '1deg'}})");
+    await page.waitForFunction("scene.params[1].value === '1deg'");
+    assert.equal(await page.evaluate("document.activeElement.closest('#findings') !== null"), true, 'the focus stays');
+    await page.select('#channel', 'color');
     const [link] = await page.$$eval('#findings a', (links) => links.map((a) => [a.innerText, a.href]));
     assert.equal(link[0], 'a.scene:15:36');
     assert.equal(link[1], `vscode://file${folder}/a.scene:15:36`);
@@ -154,8 +161,6 @@ def pair(gap = 4) {
   sphere low { center: (0, -gap / 2, 0), radius: 1 }
 }
 `);
-  write('row.json', '{"objects": {"spheres": [{"type": "sphere", "center": [8, 2, 0], "radius": 1, ' +
-                    '"material": {"type": "diffuse", "color": [9, 9, 9]}}]}}');
   write('inner.scene', 'scene 1\ngroup { translate: (8, -2, 0)\n  sphere { center: (0, 0, 0), radius: 1, material: unlit(color: blue) }\n}\n');
   write('places.scene', `scene 1
 import "parts.scene" as parts
@@ -202,6 +207,40 @@ include "inner.scene"
   }
   await clickPixel(page, 120, 60);
   await page.waitForFunction("document.getElementById('sphere').innerText.includes('background')");
+  await end();
+});
+
+test('a click in a config names the line of the sphere', async () => {
+  const material = '"material": {"type": "diffuse", "color": [255, 0, 0]}';
+  write('row.json', `{"camera": {"look_from": [0, 0, 9], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov": 40,
+  "focal_length": 9, "aspect_ratio": 2, "viewport_height": 2, "samples_per_pixel": 1},
+ "rendering": {"width": 80, "render_depth": 2}, "saving": {"path": "row.png"},
+ "spheres": [
+  {"origin": [-3, 0, 0], "radius": 1, ${material}},
+  {"origin": [3, 0, 0], "radius": 1, ${material}}
+ ]}`);
+  const { page, end } = await serve('row.json');
+  for (const [x, line] of [[22, 5], [58, 6]]) {
+    await clickPixel(page, x, 20);
+    await page.waitForFunction((place) => document.getElementById('sphere').innerText.includes(place), {}, `row.json:${line}:`);
+  }
+  await end();
+});
+
+test('a render with an error goal ends within it, also after a change that is taken back', async () => {
+  write('a.scene', plain('gray').replace('unlit(color: tint)', 'diffuse(color: tint)').replace('samples: 16', 'samples: 65536'));
+  const { page, end } = await serve('a.scene', { flags: ['--error=0.5%'] });
+  const ends = async (number) => {
+    await page.waitForFunction((n) => picture.header.scene === n && picture.header.is_finished, {}, number);
+    const { value, from, to } = await page.evaluate('picture.header.error');
+    assert.ok(0 < from && from <= value && value <= to && to <= 0.005, `${value} (${from} to ${to})`);
+    assert.match(await text(page, 'status'), /samples, error 0\.\d+ % \(0\.\d+ % to 0\.\d+ %\), finished/);
+  };
+  await ends(1);
+  await page.evaluate("choose({params: {size: '2'}})");
+  await page.evaluate("choose({params: {size: 'none'}})");
+  await page.waitForFunction('scene.scene === 2 && !scene.is_correct');
+  await ends(2);
   await end();
 });
 
@@ -322,6 +361,9 @@ test('keys alone are enough', async () => {
   const scale = await page.evaluate('view.scale');
   await page.keyboard.press('+');
   assert.ok(await page.evaluate('view.scale') > scale);
+  const left = await page.evaluate('view.x');
+  await page.keyboard.press('d');
+  assert.ok(await page.evaluate('view.x') < left);
   await page.keyboard.press('?');
   assert.ok(await page.$eval('#keys', (dialog) => dialog.open));
   await page.keyboard.press('Escape');
@@ -373,9 +415,12 @@ test('an editor shows texts that are not saved, its cursor, and clicks', async (
   await page.waitForFunction('outline.rows.length === 0');
 
   await clickPixel(page, 40, 20);
-  await page.click('#sphere a');
   await until(() => said.length > 1);
-  assert.deepEqual(said[1], { type: 'open', path: join(folder, 'a.scene'), line, column: 3 });
+  const place = { type: 'open', path: join(folder, 'a.scene'), line, column: 3 };
+  assert.deepEqual(said[1], place);
+  await page.click('#sphere a');
+  await until(() => said.length > 2);
+  assert.deepEqual(said[2], place);
   await page.evaluate("send({type: 'open', place: {path: '/etc/passwd', line: 1, column: 1}})");
   await page.evaluate("send({type: 'open', place: {path: 7}})");
   say({ type: 'text', text: plain('#00ff00') });
@@ -384,7 +429,7 @@ test('an editor shows texts that are not saved, its cursor, and clicks', async (
   say({ type: 'text', text: null });
   await page.waitForFunction('picture.header.scene === 3 && picture.header.is_finished');
   assert.deepEqual(await codeAt(page, 2, 2), [255, 255, 255], 'the file counts again');
-  assert.equal(said.length, 2, 'no file but those of the scene');
+  assert.equal(said.length, 3, 'no file but those of the scene');
   await context.close();
   program.stdin.end();
   await new Promise((resolve) => program.once('exit', resolve));

@@ -20,15 +20,30 @@ function withPage(diagnostic) {
   return diagnostic;
 }
 
+/** The group of editors for a text: where it is open, else one without a preview, which it would cover. */
+function columnOf(uri) {
+  const groups = vscode.window.tabGroups.all;
+  const isText = ({ input }) => input instanceof vscode.TabInputText && input.uri.toString() === uri.toString();
+  const isPreview = ({ input }) => input instanceof vscode.TabInputWebview && input.viewType.endsWith('sdlc.preview');
+  const group = groups.find(({ tabs }) => tabs.some(isText)) ?? groups.find(({ tabs }) => !tabs.some(isPreview));
+  return group?.viewColumn ?? vscode.ViewColumn.One;
+}
+
 /** Shows a picture beside the text, and a page of `sdlc explain` rendered; other documents as usual. */
-async function showDocument(params, token, next) {
+async function showDocument(params, next) {
   const uri = vscode.Uri.parse(params.uri);
   const page = /\/([EWS]\d{3})\.md$/.exec(uri.path);
   if (page) {
     await vscode.commands.executeCommand('sdlc.explainCode', page[1]);
     return { success: true };
   }
-  if (!/\.(png|jpe?g|gif|webp|bmp)$/i.test(uri.path)) return next(params, token);
+  if (params.selection) {
+    const { start, end } = params.selection;
+    const selection = new vscode.Range(start.line, start.character, end.line, end.character);
+    await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: !params.takeFocus, selection });
+    return { success: true };
+  }
+  if (!/\.(png|jpe?g|gif|webp|bmp)$/i.test(uri.path)) return next(params);
   const options = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: !params.takeFocus };
   await vscode.commands.executeCommand('vscode.open', uri, options);
   return { success: true };

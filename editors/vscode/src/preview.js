@@ -6,7 +6,10 @@ const path = require('node:path');
 const vscode = require('vscode');
 const { selector } = require('./selector');
 
-/** Only the page of the server, in a frame: it has its own protection. */
+/**
+ * Only the page of the server, in a frame: it has its own protection. Scripts are enabled for the page; there are none
+ * here. It takes the colours of the editor, not of the system.
+ */
 function frame(url) {
   const origin = `${url.scheme}://${url.authority}`;
   const policy = `default-src 'none'; frame-src ${origin}; style-src 'unsafe-inline'`;
@@ -14,10 +17,22 @@ function frame(url) {
 <html lang="en">
 <head>
 <meta http-equiv="Content-Security-Policy" content="${policy}">
-<style>html, body, iframe { width: 100%; height: 100%; margin: 0; padding: 0; border: 0; display: block; }</style>
+<style>
+html, body, iframe { width: 100%; height: 100%; margin: 0; padding: 0; border: 0; display: block; }
+.vscode-dark iframe, .vscode-high-contrast iframe { color-scheme: dark; }
+.vscode-light iframe, .vscode-high-contrast-light iframe { color-scheme: light; }
+</style>
 </head>
 <body><iframe src="${url.toString(true)}" title="The rendered scene" allow="clipboard-write"></iframe></body>
 </html>`;
+}
+
+/** Where the window of the editor reaches a page of its server, whose port may be forwarded. */
+async function externalUri(local) {
+  const external = await vscode.env.asExternalUri(local);
+  // A proxy puts the port into the path, and may leave out ours.
+  if (external.path.endsWith(local.path)) return external;
+  return external.with({ path: external.path.replace(/\/$/, '') + local.path });
 }
 
 /** The panels that show scenes, by the URI of the scene. */
@@ -35,16 +50,23 @@ class Previews {
     if (!panel) {
       const title = `Preview ${path.basename(vscode.Uri.parse(scene).fsPath)}`;
       const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
-      panel = vscode.window.createWebviewPanel('sdlc.preview', title, column, {});
-      panel.onDidDispose(() => this.#panels.delete(scene));
+      panel = vscode.window.createWebviewPanel('sdlc.preview', title, column, { enableScripts: true });
+      panel.onDidDispose(() => this.#end(scene));
       this.#panels.set(scene, panel);
     } else {
       panel.reveal(undefined, true);
     }
-    const local = vscode.Uri.parse(url, true);
-    // A port of another machine is forwarded.
-    const html = frame((await vscode.env.asExternalUri(local)).with({ path: local.path }));
+    const html = frame(await externalUri(vscode.Uri.parse(url, true)));
     if (panel.webview.html !== html) panel.webview.html = html;
+    const editor = vscode.window.activeTextEditor;
+    if (editor) this.follow({ textEditor: editor, selections: editor.selections });
+  }
+
+  async #end(scene) {
+    this.#panels.delete(scene);
+    const { client } = this.#server;
+    if (!client?.isRunning()) return;
+    await client.sendRequest('workspace/executeCommand', { command: 'sdlc.endPreview', arguments: [{ uri: scene }] });
   }
 
   /** Sends the place of the cursor to the server. */

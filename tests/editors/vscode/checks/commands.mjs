@@ -1,4 +1,7 @@
 // The commands of the palette and of the code lens.
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
 import { until } from '../workbench.mjs';
 import { BALL, MATERIALS, USER, scene } from './scenes.mjs';
 
@@ -12,7 +15,63 @@ async function seePicture(bench) {
   await bench.screenshot('picture');
 }
 
+/** The frame of the preview, once it has a finished picture. */
+function seePreview(bench) {
+  return until('a preview', async () => {
+    for (const frame of bench.page.frames()) {
+      try {
+        if (await frame.evaluate('Boolean(picture?.header.is_finished)')) return frame;
+      } catch {
+        // Another frame, or one that is gone.
+      }
+    }
+    return undefined;
+  });
+}
+
+/** The programs that serve pages. */
+function previews() {
+  return readdirSync('/proc').filter((process) => {
+    try {
+      return /sdlc\0serve\0/.test(readFileSync(join('/proc', process, 'cmdline'), 'utf8'));
+    } catch {
+      return false;
+    }
+  });
+}
+
 export const checks = [
+  {
+    name: 'the command Preview Beside shows what is typed, the cursor, and the place of a click',
+    async run(bench) {
+      const before = previews().length;
+      await bench.open('preview.scene', scene('background { color: white }', BALL.replace('diffuse', 'unlit')));
+      await bench.command('sdlc: Preview Beside');
+      const frame = await seePreview(bench);
+      await bench.goto(5, 10);
+      await until('an outline', () => frame.evaluate('outline?.rows.length > 0'));
+      await bench.goto(4, 1);
+      await until('no outline', () => frame.evaluate('outline.rows.length === 0'));
+      await bench.screenshot('preview');
+      const canvas = await frame.$('#canvas');
+      await canvas.click();  // in the middle is the ball
+      await bench.seeText('.statusbar-item', 'Ln 5, Col 1');
+
+      await bench.goto(4, 21);
+      await bench.press('Shift+End');
+      await bench.type('#0000ff }');
+      await until('the text that is not saved', () =>
+        frame.evaluate("picture.header.scene === 2 && [...picture.image.getContext('2d').getImageData(0, 0, 1, 1).data].join() === '0,0,255,255'"));
+      await bench.press('Shift+Home');
+      await bench.type('background { colour: red }');
+      await until('a finding', () => frame.evaluate("document.getElementById('findings').innerText.includes('did you mean `color`')"));
+      await bench.screenshot('preview-broken');
+
+      await bench.command('View: Close Editors in Other Groups');
+      await bench.command('File: Revert File');
+      await until('the end of the program', () => previews().length === before);
+    },
+  },
   {
     name: 'the code lens of a camera renders',
     async run(bench) {
