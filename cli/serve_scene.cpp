@@ -193,6 +193,7 @@ void compile(const ServeOptions& options, ServeChoices& choices, const OnCorrect
   render::Kernel kernel = choose_kernel(options.kernel, overrides, *lowered, *scene.compiler);
   check_not_refused(kernel);
   scene.lowered = *std::move(lowered);
+  scene.has_pose = overrides.pose.has_value();
   scene.prepared = on_correct(scene.lowered);
   if (scene.prepared) return;
   scene.prepared = std::make_shared<const render::PreparedScene>(
@@ -238,6 +239,7 @@ std::string camera_text(const ServedScene& scene) {
     if (name_of(statement) != scene.lowered.camera->name) continue;
     // The text as it is, with other values.
     std::string text(statement.text());
+    if (!scene.has_pose) return text + "\n";
     std::size_t shift = statement.span().begin, replaced = 0;
     for (const lang::ast::Node property : statement.children()) {
       if (!property.is(lang::SyntaxKind::Property)) continue;

@@ -61,6 +61,7 @@ struct ServedScene {
   std::string failure;  ///< why it cannot be rendered, beside errors in the text; may be empty
   /// The rest only if `prepared` is not null.
   lang::LoweredScene lowered;  ///< with the pose of the choices
+  bool has_pose = false;
   std::shared_ptr<const render::PreparedScene> prepared;
 
   explicit ServedScene(std::shared_ptr<const lang::StopRequest> request)

@@ -44,6 +44,27 @@ function connect() {
   };
 }
 
+// What a frame of an editor would forget when it is hidden.
+function keepView() {
+  try {
+    sessionStorage.setItem('view', JSON.stringify({...sent, ...view}));
+  } catch {
+    // The browser keeps nothing.
+  }
+}
+function restoreView() {
+  try {
+    const {channel, exposure, ...kept} = JSON.parse(sessionStorage.getItem('view'));
+    byId('channel').value = channel;
+    byId('exposure').value = exposure;
+    Object.assign(view, kept);
+  } catch {
+    // There is none.
+  }
+}
+window.addEventListener('pagehide', keepView);
+document.addEventListener('visibilitychange', keepView);
+
 const sendVisibility = () => send({type: 'visible', value: document.visibilityState === 'visible'});
 document.addEventListener('visibilitychange', sendVisibility);
 
@@ -74,6 +95,8 @@ function takeScene(message) {
   document.title = `${message.name ?? 'sdlc'} – sdlc`;
   byId('name').textContent = message.name ?? 'sdlc';
   byId('command').textContent = message.command;
+  const stem = (message.name ?? 'picture').replace(/^.*\//, '').replace(/\.[^.]*$/, '');
+  for (const format of ['png', 'exr']) byId(format).download = `${stem}.${format}`;
   showFindings();
   showParams();
   showFrames();
@@ -108,8 +131,9 @@ function takePicture(buffer) {
     data.data[j + 3] = 255;
   }
   image.getContext('2d').putImageData(data, 0, 0);
-  const isOfOtherSize = !picture || picture.header.full_width !== header.full_width ||
-                        picture.header.full_height !== header.full_height;
+  const isOfOtherSize = picture ? picture.header.full_width !== header.full_width ||
+                                  picture.header.full_height !== header.full_height
+                                : view.isFitted;
   picture = {header, image, isFirstLook: header.width !== header.full_width || header.height !== header.full_height};
   byId('compare').disabled = !before;
   if (isOfOtherSize) fit();
@@ -736,7 +760,20 @@ const keys = {
   o: () => setOrbiting(!isOrbiting), b: () => setComparing(!isComparing), c: nextChannel,
   ']': () => addExposure(0.5), '[': () => addExposure(-0.5), ' ': play, '?': () => byId('keys').showModal(),
 };
+// In a frame of an editor, its own keys are for it.
+function passToEditor(event) {
+  if (window.parent === window || !scene?.has_editor) return false;
+  const {key, code, keyCode, ctrlKey, metaKey, altKey, shiftKey} = event;
+  const isOfEditor = ctrlKey || metaKey || altKey || /^F\d+$/.test(key);
+  const isOfText = event.getModifierState('AltGraph') || /^[acvxyz]$/i.test(key);
+  if (!isOfEditor || isOfText) return false;
+  event.preventDefault();
+  window.parent.postMessage({key, code, keyCode, ctrlKey, metaKey, altKey, shiftKey}, '*');
+  return true;
+}
+
 document.addEventListener('keydown', (event) => {
+  if (passToEditor(event)) return;
   if (event.ctrlKey || event.metaKey || event.altKey || byId('keys').open) return;
   const isOnCanvas = event.target === canvas;
   if (isOnCanvas && arrows[event.key]) {
@@ -766,4 +803,5 @@ byId('help').addEventListener('click', () => byId('keys').showModal());
 byId('channel').addEventListener('change', sendView);
 byId('exposure').addEventListener('change', sendView);
 
+restoreView();
 connect();

@@ -26,7 +26,7 @@ function columnOf(uri) {
   const isText = ({ input }) => input instanceof vscode.TabInputText && input.uri.toString() === uri.toString();
   const isPreview = ({ input }) => input instanceof vscode.TabInputWebview && input.viewType.endsWith('sdlc.preview');
   const group = groups.find(({ tabs }) => tabs.some(isText)) ?? groups.find(({ tabs }) => !tabs.some(isPreview));
-  return group?.viewColumn ?? vscode.ViewColumn.One;
+  return group?.viewColumn ?? vscode.ViewColumn.Beside;
 }
 
 /** Shows a picture beside the text, and a page of `sdlc explain` rendered; other documents as usual. */

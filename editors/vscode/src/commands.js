@@ -4,6 +4,7 @@
 
 const path = require('node:path');
 const vscode = require('vscode');
+const { selector } = require('./selector');
 
 /** Why a command cannot do anything. */
 class Refusal extends Error {}
@@ -17,10 +18,8 @@ function activeDocument(uri) {
 }
 
 /** Calls a command of the server about a document. */
-async function ask(server, command, document, more = {}) {
-  if (!server.client?.isRunning()) throw new Refusal('The server is not running, see its log.');
-  const params = { command, arguments: [{ uri: document.uri.toString(), ...more }] };
-  return server.client.sendRequest('workspace/executeCommand', params);
+async function ask(server, command, document) {
+  return server.ask(command, { uri: document.uri.toString() });
 }
 
 async function render(server, uri) {
@@ -30,10 +29,13 @@ async function render(server, uri) {
 }
 
 /** Shows the scene beside the editor, as it is there. */
-async function preview(server, previews, uri) {
+async function preview(previews, uri) {
   const document = activeDocument(uri);
   if (document.isUntitled) throw new Refusal('Save the scene first: its imports are relative to its folder.');
-  await previews.show(await ask(server, 'sdlc.preview', document));
+  await previews.open(document.uri);
+  if (vscode.languages.match(selector(), document) > 0) return;
+  vscode.window.showInformationMessage(
+    'The preview shows this file as it is saved. It follows what you type if the setting sdlc.configs names it.');
 }
 
 /** Measures in a terminal of its own, whose output remains when the program ends. */
@@ -85,7 +87,7 @@ async function explain(pages, code) {
 function registerCommands(server, pages, previews) {
   const commands = {
     'sdlc.renderScene': (uri) => render(server, uri),
-    'sdlc.previewScene': (uri) => preview(server, previews, uri),
+    'sdlc.previewScene': (uri) => preview(previews, uri),
     'sdlc.measureScene': (uri) => measure(server, uri),
     'sdlc.explainCode': (code) => explain(pages, code),
     'sdlc.checkFileIn': (uri) => ask(server, 'sdlc.chooseScene', activeDocument(uri)),

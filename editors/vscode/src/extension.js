@@ -2,10 +2,11 @@
 'use strict';
 
 const vscode = require('vscode');
+const { State } = require('vscode-languageclient/node');
 const { Client } = require('./client');
 const { registerCommands } = require('./commands');
 const { ExplainPages, SCHEME: EXPLAIN } = require('./explain');
-const { Previews } = require('./preview');
+const { Previews, VIEW_TYPE } = require('./preview');
 const { checkedVersion, findProgram } = require('./program');
 const { ConfigSchema, SCHEME: SCHEMA } = require('./schema');
 const { selector } = require('./selector');
@@ -25,6 +26,8 @@ class Server {
     this.hasFailed = false;
     this.stateChanged = new vscode.EventEmitter();
     this.onDidChangeState = this.stateChanged.event;
+    this.hasRun = new vscode.EventEmitter();
+    this.onDidRun = this.hasRun.event; // also after a crash
     this.queue = Promise.resolve();
     context.subscriptions.push(this.log, this.status);
   }
@@ -39,6 +42,12 @@ class Server {
     if (this.isNeeded || vscode.languages.match(selector(), document) === 0) return;
     this.isNeeded = true;
     await this.restart();
+  }
+
+  /** Calls one of its commands. */
+  ask(command, argument) {
+    if (!this.client?.isRunning()) throw new Error('The server is not running, see its log.');
+    return this.client.sendRequest('workspace/executeCommand', { command, arguments: [argument] });
   }
 
   restart() {
@@ -78,6 +87,7 @@ class Server {
       this.program = program;
       this.log.info(`sdlc ${version}: ${program}`);
       this.client = new Client(program, this.folder(), this.log);
+      this.client.onDidChangeState(({ newState }) => newState === State.Running && this.hasRun.fire());
       await this.client.start();
       this.#show(`sdlc ${version}`, program, vscode.LanguageStatusSeverity.Information, false);
     } catch (error) {
@@ -129,6 +139,8 @@ async function activate(context) {
     registerSnippets(),
     vscode.workspace.onDidOpenTextDocument((document) => server.need(document)),
     vscode.window.onDidChangeTextEditorSelection((change) => previews.follow(change)),
+    vscode.window.registerWebviewPanelSerializer(VIEW_TYPE, previews),
+    vscode.workspace.onDidRenameFiles((change) => previews.rename(change)),
     vscode.workspace.onDidGrantWorkspaceTrust(restartIfNeeded),
     vscode.workspace.onDidChangeConfiguration((change) => {
       const needsRestart = ['sdlc.path', 'sdlc.sandbox', 'sdlc.configs'];

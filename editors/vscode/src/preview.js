@@ -2,17 +2,22 @@
 // statement at the cursor makes.
 'use strict';
 
+const { randomBytes } = require('node:crypto');
 const path = require('node:path');
 const vscode = require('vscode');
 const { selector } = require('./selector');
 
+const VIEW_TYPE = 'sdlc.preview';
+
 /**
- * Only the page of the server, in a frame: it has its own protection. Scripts are enabled for the page; there are none
- * here. It takes the colours of the editor, not of the system.
+ * The page of the server, in a frame: it has its own protection. It takes the colours of the editor, not of the
+ * system, and passes the keys of the editor on. The editor opens it again after a restart, by its `scene`.
  */
-function frame(url) {
+function frame(url, scene) {
   const origin = `${url.scheme}://${url.authority}`;
-  const policy = `default-src 'none'; frame-src ${origin}; style-src 'unsafe-inline'`;
+  const nonce = randomBytes(16).toString('hex');
+  const policy = `default-src 'none'; frame-src ${origin}; script-src 'nonce-${nonce}'; style-src 'unsafe-inline'`;
+  const literal = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
   return `<!doctype html>
 <html lang="en">
 <head>
@@ -23,7 +28,15 @@ html, body, iframe { width: 100%; height: 100%; margin: 0; padding: 0; border: 0
 .vscode-light iframe, .vscode-high-contrast-light iframe { color-scheme: light; }
 </style>
 </head>
-<body><iframe src="${url.toString(true)}" title="The rendered scene" allow="clipboard-write"></iframe></body>
+<body>
+<iframe src="${url.toString(true)}" title="The rendered scene" allow="clipboard-write"></iframe>
+<script nonce="${nonce}">
+acquireVsCodeApi().setState({ scene: ${literal(scene)} });
+addEventListener('message', ({ origin, data }) => {
+  if (origin === ${literal(origin)}) dispatchEvent(new KeyboardEvent('keydown', data));
+});
+</script>
+</body>
 </html>`;
 }
 
@@ -35,52 +48,93 @@ async function externalUri(local) {
   return external.with({ path: external.path.replace(/\/$/, '') + local.path });
 }
 
-/** The panels that show scenes, by the URI of the scene. */
+/** The panels that show scenes. */
 class Previews {
   #server;
-  #panels = new Map();
+  #panels = new Map(); // by the URI of the scene
+  #urls = new Map();
 
   constructor(server) {
     this.#server = server;
+    server.onDidRun(() => this.#refresh());
   }
 
-  /** Shows the page at `url`, which is the same for a scene as long as its server runs. */
-  async show({ url, scene }) {
-    let panel = this.#panels.get(scene);
-    if (!panel) {
-      const title = `Preview ${path.basename(vscode.Uri.parse(scene).fsPath)}`;
-      const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
-      panel = vscode.window.createWebviewPanel('sdlc.preview', title, column, { enableScripts: true });
-      panel.onDidDispose(() => this.#end(scene));
-      this.#panels.set(scene, panel);
-    } else {
-      panel.reveal(undefined, true);
+  /** Shows the scene of a document, which may be the one that includes it. */
+  async open(uri) {
+    const { url, scene } = await this.#server.ask('sdlc.preview', { uri: uri.toString() });
+    const known = this.#panels.get(scene);
+    if (known) known.reveal(undefined, true);
+    const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
+    const panel = known ?? vscode.window.createWebviewPanel(VIEW_TYPE, '', column);
+    await this.#show(panel, scene, url);
+  }
+
+  /** Takes a panel over that the editor had before it was restarted. */
+  async deserializeWebviewPanel(panel, { scene }) {
+    this.#take(panel, scene);
+    if (this.#server.client?.isRunning()) await this.#refresh();
+    else await this.#server.restart();
+  }
+
+  /** The scene has another name now. */
+  async rename({ files }) {
+    for (const { oldUri, newUri } of files) {
+      const panel = this.#panels.get(oldUri.toString());
+      if (!panel) continue;
+      panel.dispose();
+      await this.open(newUri);
     }
-    const html = frame(await externalUri(vscode.Uri.parse(url, true)));
-    if (panel.webview.html !== html) panel.webview.html = html;
-    const editor = vscode.window.activeTextEditor;
-    if (editor) this.follow({ textEditor: editor, selections: editor.selections });
-  }
-
-  async #end(scene) {
-    this.#panels.delete(scene);
-    const { client } = this.#server;
-    if (!client?.isRunning()) return;
-    await client.sendRequest('workspace/executeCommand', { command: 'sdlc.endPreview', arguments: [{ uri: scene }] });
   }
 
   /** Sends the place of the cursor to the server. */
   follow({ textEditor, selections }) {
     const { document } = textEditor;
-    const client = this.#server.client;
+    const { client } = this.#server;
     if (this.#panels.size === 0 || !client?.isRunning()) return;
-    if (vscode.languages.match(selector(), document) === 0) return;
+    // Also a config that a scene includes.
+    if (vscode.languages.match(selector(), document) === 0 && document.languageId !== 'json') return;
     const { line, character } = selections[0].active;
     client.sendNotification('sdlc/cursor', {
       textDocument: { uri: document.uri.toString() },
       position: { line, character },
     });
   }
+
+  /** The pages of a new server have other addresses. */
+  async #refresh() {
+    for (const [scene, panel] of [...this.#panels]) {
+      try {
+        const { url } = await this.#server.ask('sdlc.preview', { uri: scene });
+        await this.#show(panel, scene, url);
+      } catch (error) {
+        this.#server.log.error(`preview of ${scene}: ${error.message}`);
+      }
+    }
+  }
+
+  #take(panel, scene) {
+    if (this.#panels.get(scene) === panel) return;
+    this.#panels.set(scene, panel);
+    panel.title = `Preview ${path.basename(vscode.Uri.parse(scene).fsPath)}`;
+    panel.webview.options = { enableScripts: true };
+    panel.onDidDispose(() => this.#end(scene));
+  }
+
+  async #show(panel, scene, url) {
+    this.#take(panel, scene);
+    if (this.#urls.get(scene) !== url) {
+      panel.webview.html = frame(await externalUri(vscode.Uri.parse(url, true)), scene);
+      this.#urls.set(scene, url);
+    }
+    const editor = vscode.window.activeTextEditor;
+    if (editor) this.follow({ textEditor: editor, selections: editor.selections });
+  }
+
+  async #end(scene) {
+    this.#panels.delete(scene);
+    this.#urls.delete(scene);
+    if (this.#server.client?.isRunning()) await this.#server.ask('sdlc.endPreview', { uri: scene });
+  }
 }
 
-module.exports = { Previews };
+module.exports = { Previews, VIEW_TYPE };

@@ -53,7 +53,13 @@ export const checks = [
       await bench.goto(4, 1);
       await until('no outline', () => frame.evaluate('outline.rows.length === 0'));
       await bench.screenshot('preview');
-      const canvas = await frame.$('#canvas');
+      await bench.command('sdlc: Restart Server');
+      const old = frame.url();
+      const again = await until('the page of the new server', async () => {
+        const now = await seePreview(bench);
+        return now.url() === old ? undefined : now;
+      });
+      const canvas = await again.$('#canvas');
       await canvas.click();  // in the middle is the ball
       await bench.seeText('.statusbar-item', 'Ln 5, Col 1');
 
@@ -61,10 +67,10 @@ export const checks = [
       await bench.press('Shift+End');
       await bench.type('#0000ff }');
       await until('the text that is not saved', () =>
-        frame.evaluate("picture.header.scene === 2 && [...picture.image.getContext('2d').getImageData(0, 0, 1, 1).data].join() === '0,0,255,255'"));
+        again.evaluate("picture.header.scene === 2 && [...picture.image.getContext('2d').getImageData(0, 0, 1, 1).data].join() === '0,0,255,255'"));
       await bench.press('Shift+Home');
       await bench.type('background { colour: red }');
-      await until('a finding', () => frame.evaluate("document.getElementById('findings').innerText.includes('did you mean `color`')"));
+      await until('a finding', () => again.evaluate("document.getElementById('findings').innerText.includes('did you mean `color`')"));
       await bench.screenshot('preview-broken');
 
       await bench.command('View: Close Editors in Other Groups');
