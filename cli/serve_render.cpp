@@ -158,6 +158,7 @@ void ServeRender::show_pass(const Order& order, const render::Film& film,
 
 void ServeRender::run(const Order& order) {
   const render::RenderSettings& settings = order.settings;
+  monitor_->keeps_cancelled = false;
   monitor_->before_tile = [this] { wait_until_watched(); };
   wait_until_watched();
   if (static_cast<double>(settings.width) * settings.height > 2 * kFirstLook) {

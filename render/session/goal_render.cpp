@@ -155,6 +155,7 @@ void GoalRender::run() {
   } else {
     run_uniform();
   }
+  if (monitor_.is_dropped()) return;
   estimate();
   result_.has_reached_error = settings_.error && result_.error &&
                               result_.error->interval.to <= *settings_.error &&

@@ -118,7 +118,7 @@ RenderResult render_since(Clock::time_point start, const PreparedScene& scene,
       }
       goal.run();
       if (keeper) keeper->keep();
-      if (settings.keeps_first_hits) {
+      if (settings.keeps_first_hits && !monitor.is_dropped()) {
         for (std::size_t i = 0; i < film->size(); ++i) {
           result.features.push_back(
               features_of(film->first_hits(i), film->samples(i), scene.tracer().depth_exponent()));

@@ -46,6 +46,9 @@ struct RenderMonitor {
   /// Whether passes begin with few samples, to be shown. They do not change the picture. A picture
   /// of fewer than kMinReplicatedSamples samples has one pass.
   bool shows_passes = false;
+  /// Whether a cancelled render has the picture of its samples so far, which takes some time.
+  bool keeps_cancelled = true;
+  bool is_dropped() const noexcept { return !keeps_cancelled && cancel.load(); }
   /// With a time limit, called once, after an early pass, with the picture so far: the seconds that
   /// the caller needs after the render. The limit includes them.
   std::function<double(const Picture& picture)> seconds_to_finish;
