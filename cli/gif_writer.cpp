@@ -16,7 +16,8 @@ namespace sdlc::cli {
 GifWriter::GifWriter(std::filesystem::path path, const VideoSettings& settings)
     : path_(std::move(path)),
       frames_per_second_(settings.frames_per_second),
-      encoder_(render::image_codec().make_gif_encoder(settings.width, settings.height)) {
+      encoder_(render::image_codec(render::ImageFormat::Gif)
+                   .make_gif_encoder(settings.width, settings.height)) {
   if (!encoder_) throw std::bad_alloc();
 }
 

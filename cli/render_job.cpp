@@ -77,8 +77,11 @@ render::RenderResult trace(lang::LoweredScene& lowered, render::Kernel kernel,
     // resident during tracing.
     release_freed_memory();
     statistics.render_rss_bytes = resident_bytes();  // before the codec allocates its own
-    render::preload_image_codec(lowered.settings.seconds ? render::Preload::Now
-                                                         : render::Preload::Late);
+    for (const Output& output : outputs) {
+      if (output.is_film) continue;
+      render::preload_image_codec(
+          output.format, lowered.settings.seconds ? render::Preload::Now : render::Preload::Late);
+    }
   };
   monitor.seconds_to_finish = [&](const render::Picture& picture) {
     return seconds_to_write(picture, outputs, picture_form(options, lowered),

@@ -105,6 +105,8 @@ TEST(Architecture, EachLibraryIsUsedInOnePlace) {
        {"render/compare", "render/denoise", "render/exactness", "render/hierarchy", "render/kernel",
         "render/parallel", "render/session"}},
       {"<OpenImageIO/", {"render/image/openimageio"}},
+      {"<OpenEXR/", {"render/image/standard"}},
+      {"<png.h", {"render/image/standard"}},
       {"<CLI/", {"cli"}},
       {"<hwy/", {"render/denoise", "render/kernel", "render/lanes", "render/shading"}},
       {"<tao/", {"grammar", "lang/json", "lang/syntax", "lang/token"}},

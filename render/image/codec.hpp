@@ -63,25 +63,33 @@ class __attribute__((visibility("default"))) GifEncoder {
   virtual bool finish(std::vector<std::byte>& file, std::string& error) noexcept = 0;
 };
 
-/// The interface between the program and the module that encodes and decodes pictures. No exception
-/// crosses it: a function that returns false has stored a message in `error`. Thread-safe.
+enum class Decoding : std::uint8_t {
+  Done,
+  Failed,   ///< there is a message
+  Foreign,  ///< only another module may know files of this kind
+};
+
+/// The interface between the program and a module that encodes and decodes pictures. No exception
+/// crosses it: a function that returns false, or fails, has stored a message in `error`.
+/// Thread-safe.
 class __attribute__((visibility("default"))) ImageCodec {
  public:
   virtual ~ImageCodec() = default;
   virtual bool encode(const EncodeRequest& request, std::vector<std::byte>& file,
                       std::string& error) noexcept = 0;
-  /// Null if there is no memory.
+  /// Null if there is no memory, or no GIF in this module.
   virtual std::unique_ptr<GifEncoder> make_gif_encoder(int width, int height) noexcept = 0;
   /// Rejects files with more than `max_pixels` pixels before allocating any.
-  virtual bool decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
-                      DecodedImage& image, std::string& error) noexcept = 0;
+  virtual Decoding decode(ImageFormat format, std::span<const std::byte> file,
+                          std::int64_t max_pixels, DecodedImage& image,
+                          std::string& error) noexcept = 0;
 };
 
 /// Must be incremented with every change to this header: the program rejects a module with another
 /// number.
-inline constexpr int kImageCodecVersion = 5;
+inline constexpr int kImageCodecVersion = 6;
 
-/// The result of the module's only exported function, `sdlc_image_codec`. The codec lives as long
+/// The result of a module's only exported function, `sdlc_image_codec`. The codec lives as long
 /// as the process.
 struct ImageCodecEntry {
   int version;

@@ -85,9 +85,12 @@ DecodedFile decode_file(const fs::path& path) {
   const std::vector<std::byte> file = read_file(path);
   check_content(file, *format, path);
   std::string error;
-  if (!image_codec().decode(*format, file, kMaxPicturePixels, decoded.image, error)) {
-    throw IoError("read", path, error);
-  }
+  const auto decode = [&](CodecModule module) {
+    return image_codec(module).decode(*format, file, kMaxPicturePixels, decoded.image, error);
+  };
+  Decoding decoding = decode(module_of(*format));
+  if (decoding == Decoding::Foreign) decoding = decode(CodecModule::OpenImageIo);
+  if (decoding != Decoding::Done) throw IoError("read", path, error);
   return decoded;
 }
 

@@ -104,7 +104,8 @@ std::vector<std::byte> encode_picture(const Picture& picture, const WriteOptions
 
   std::vector<std::byte> file;
   std::string error;
-  if (!image_codec().encode(request, file, error)) throw IoError("write", shown, error);
+  if (!image_codec(options.format).encode(request, file, error))
+    throw IoError("write", shown, error);
   return file;
 }
 
@@ -113,7 +114,5 @@ void write_picture(const fs::path& path, const Picture& picture, const WriteOpti
 }
 
 Picture read_picture(const fs::path& path) { return rgb_of(decode_file(path).image); }
-
-void preload_image_codec(Preload when) { preload_codec(when); }
 
 }  // namespace sdlc::render

@@ -45,23 +45,10 @@ const char* plugin_of(ImageFormat format) noexcept {
 
 ImageSpec spec_of(const EncodeRequest& request) {
   const TypeDesc type = request.radiance.empty() ? TypeDesc::UINT8 : TypeDesc::FLOAT;
-  ImageSpec spec(request.width, request.height, 3 + static_cast<int>(request.channels.size()),
-                 type);
-  for (std::size_t i = 0; i < request.channels.size(); ++i) {
-    spec.channelnames[3 + i] = request.channels[i].name;
-  }
-  if (request.format == ImageFormat::Exr && request.display.pixels() > 0) {
-    // The display window begins at (0, 0).
-    spec.x = -request.display.x;
-    spec.y = -request.display.y;
-    spec.full_x = spec.full_y = 0;
-    spec.full_width = request.display.width;
-    spec.full_height = request.display.height;
-  }
+  ImageSpec spec(request.width, request.height, 3, type);
   if (!request.software.empty()) spec.attribute("Software", request.software);
   for (const auto& [key, value] : request.metadata) spec.attribute(key, value);
   switch (request.format) {
-    case ImageFormat::Exr:
     case ImageFormat::Tiff: spec.attribute("DateTime", kNoDate); break;
     case ImageFormat::Jpeg:
       spec.attribute("Compression", "jpeg:95");
@@ -69,14 +56,7 @@ ImageSpec spec_of(const EncodeRequest& request) {
       spec.attribute("jpeg:subsampling", "4:4:4");
       break;
     case ImageFormat::WebP: spec.attribute("Compression", "webp:100"); break;
-    case ImageFormat::Ppm: spec.attribute("pnm:binary", request.ppm_text ? 0 : 1); break;
-    case ImageFormat::Png:
-      // Only if it is true: a viewer would show any other curve wrongly. Not for TIFF, where
-      // version 2.4 would write a file that it cannot read back.
-      if (request.is_srgb) spec.attribute("oiio:ColorSpace", "sRGB");
-      break;
-    case ImageFormat::Hdr:
-    case ImageFormat::Gif: break;
+    default: break;
   }
   return spec;
 }
@@ -89,32 +69,7 @@ bool fail(std::string& error, std::string words) {
   return false;
 }
 
-/// Writes a few rows at a time, to avoid a second copy of all channels.
-bool write_channels(ImageOutput& output, const EncodeRequest& request) {
-  constexpr int kRows = 64;  // a multiple of the number of rows that EXR compresses together
-  const auto width = static_cast<std::size_t>(request.width);
-  const std::size_t count = 3 + request.channels.size();
-  std::vector<float> rows(kRows * width * count);
-  for (int y = 0; y < request.height; y += kRows) {
-    const int end = std::min(y + kRows, request.height);
-    const std::size_t first = static_cast<std::size_t>(y) * width;
-    const std::size_t pixels = static_cast<std::size_t>(end - y) * width;
-    for (std::size_t i = 0; i < pixels; ++i) {
-      float* const pixel = rows.data() + i * count;
-      for (std::size_t c = 0; c < 3; ++c) pixel[c] = request.radiance[(first + i) * 3 + c];
-      for (std::size_t c = 3; c < count; ++c) pixel[c] = request.channels[c - 3].values[first + i];
-    }
-    // Counted in the whole picture.
-    const int first_row = output.spec().y;
-    if (!output.write_scanlines(first_row + y, first_row + end, 0, TypeDesc::FLOAT, rows.data())) {
-      return false;
-    }
-  }
-  return true;
-}
-
 bool write_pixels(ImageOutput& output, const EncodeRequest& request) {
-  if (!request.channels.empty()) return write_channels(output, request);
   if (!request.radiance.empty()) {
     return output.write_image(TypeDesc::FLOAT, request.radiance.data());
   }
@@ -320,11 +275,13 @@ class OpenImageIoCodec final : public ImageCodec {
     return nullptr;
   }
 
-  bool decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
-              DecodedImage& image, std::string& error) noexcept override try {
-    return decode_with_oiio(format, file, max_pixels, image, error);
+  Decoding decode(ImageFormat format, std::span<const std::byte> file, std::int64_t max_pixels,
+                  DecodedImage& image, std::string& error) noexcept override try {
+    const bool is_decoded = decode_with_oiio(format, file, max_pixels, image, error);
+    return is_decoded ? Decoding::Done : Decoding::Failed;
   } catch (const std::exception& exception) {
-    return fail(error, exception.what());
+    fail(error, exception.what());
+    return Decoding::Failed;
   }
 };
 
