@@ -73,6 +73,50 @@ Option repeated(CLI::Option& option) {
   return Option(*option.take_all()->expected(1)->allow_extra_args(false));
 }
 
+/// "a|b|c" of one_of().
+std::vector<std::string> words_of(CLI::Option& option) {
+  std::vector<std::string> words;
+  try {
+    std::string text = option.get_validator(0)->get_description();
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find('|', begin), text.size());
+      words.push_back(text.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  } catch (const CLI::OptionNotFound&) {
+    // It takes any text.
+  }
+  return words;
+}
+
+OptionInfo info_of(CLI::Option& option) {
+  OptionInfo info;
+  info.description = option.get_description();
+  info.is_positional = option.get_positional();
+  info.is_required = option.get_required();
+  for (const std::string& name : option.get_lnames()) info.names.push_back("--" + name);
+  for (const std::string& name : option.get_snames()) info.names.push_back("-" + name);
+  if (info.is_positional) info.names.push_back(option.get_name(true));
+  if (option.get_items_expected_max() > 0) {
+    info.words = words_of(option);
+    const std::string value = option.get_type_name();
+    info.value = value.substr(0, value.find(':'));
+  }
+  return info;
+}
+
+CommandInfo info_of(CLI::App& app) {
+  CommandInfo info;
+  info.name = app.get_name();
+  info.description = app.get_description();
+  info.footer = app.get_footer();
+  for (CLI::Option* const option : app.get_options()) info.options.push_back(info_of(*option));
+  for (CLI::App* const command : app.get_subcommands([](CLI::App*) { return true; })) {
+    if (!command->get_group().empty()) info.commands.push_back(info_of(*command));
+  }
+  return info;
+}
+
 }  // namespace
 
 Option& Option::required() {
@@ -118,6 +162,12 @@ Option& Option::description(const std::string& doc) {
 Command Command::add_command(const std::string& name, const std::string& doc) {
   return Command(*app_->add_subcommand(name, doc));
 }
+
+Command Command::add_hidden_command(const std::string& name, const std::string& doc) {
+  return Command(*app_->add_subcommand(name, doc)->group(""));
+}
+
+CommandInfo Command::info() const { return info_of(*app_); }
 
 Option Command::add_flag(const std::string& name, bool& is_given, const std::string& doc) {
   return Option(*app_->add_flag(name, is_given, doc));

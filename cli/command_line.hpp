@@ -55,6 +55,25 @@ struct GivenFlag {
   std::vector<std::string> values;
 };
 
+/// What the help says of a flag or a positional argument.
+struct OptionInfo {
+  std::vector<std::string> names;  ///< flags with their dashes, the long ones first
+  std::string value;               ///< the name of the value: "N"; empty for a flag without one
+  std::vector<std::string> words;  ///< all values; empty if there are others
+  std::string description;
+  bool is_positional = false;
+  bool is_required = false;
+};
+
+/// The same of a command, or of the program.
+struct CommandInfo {
+  std::string name;
+  std::string description;
+  std::string footer;
+  std::vector<OptionInfo> options;
+  std::vector<CommandInfo> commands;
+};
+
 /// A command. Names are `--long`, `-s,--long`, or without dashes for positional arguments. Targets
 /// and functions are used while the command line is parsed; functions may throw ArgumentError.
 class Command {
@@ -65,6 +84,10 @@ class Command {
   explicit Command(CLI::App& app) : app_(&app) {}
 
   Command add_command(const std::string& name, const std::string& doc);
+  /// The same, which help does not list.
+  Command add_hidden_command(const std::string& name, const std::string& doc);
+  /// All that the command line has. Hidden commands are left out.
+  CommandInfo info() const;
 
   Option add_flag(const std::string& name, bool& is_given, const std::string& doc);
   /// A flag without effect.

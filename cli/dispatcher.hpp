@@ -28,6 +28,8 @@ class Dispatcher {
 
 // One function per subcommand, in NAME_command.cpp.
 void add_compare_command(Command& program, Dispatcher& dispatcher);
+void add_complete_command(Command& program, Dispatcher& dispatcher);
+void add_completions_command(Command& program, Dispatcher& dispatcher);
 void add_convert_command(Command& program, Dispatcher& dispatcher);
 void add_explain_command(Command& program, Dispatcher& dispatcher);
 void add_farm_command(Command& program, Dispatcher& dispatcher);
@@ -35,8 +37,10 @@ void add_fmt_command(Command& program, Dispatcher& dispatcher);
 void add_inspect_command(Command& program, Dispatcher& dispatcher);
 void add_lint_command(Command& program, Dispatcher& dispatcher);
 void add_lsp_command(Command& program, Dispatcher& dispatcher);
+void add_man_command(Command& program, Dispatcher& dispatcher);
 void add_measure_command(Command& program, Dispatcher& dispatcher);
 void add_merge_command(Command& program, Dispatcher& dispatcher);
+void add_new_command(Command& program, Dispatcher& dispatcher);
 void add_pack_command(Command& program, Dispatcher& dispatcher);
 void add_render_command(Command& program, Dispatcher& dispatcher);
 void add_schema_command(Command& program, Dispatcher& dispatcher);

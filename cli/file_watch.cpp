@@ -45,27 +45,20 @@ void FileWatch::add(const fs::path& path, Reader reader) {
   std::error_code ignored;
   const fs::path file = fs::absolute(path, ignored);
   const std::lock_guard lock(mutex_);
-  if (files_.contains({reader, file})) return;
   // The folders first: then a change after state_of() raises an event.
   watch_folder_of(file);
   if (fs::path target = fs::weakly_canonical(file, ignored); target != file) {
     watch_folder_of(target);
   }
-  files_.emplace(Key(reader, file), File{.state = state_of(file), .contents = std::nullopt});
+  files_[{reader, file}] = {.state = state_of(file), .contents = std::nullopt};
 }
 
-void FileWatch::note_contents(const fs::path& path, std::optional<std::string_view> contents,
-                              Reader reader) {
+void FileWatch::note_contents(const fs::path& path, std::string_view contents, Reader reader) {
   std::error_code ignored;
   const fs::path file = fs::absolute(path, ignored);
   const std::lock_guard lock(mutex_);
   const auto found = files_.find({reader, file});
-  if (found == files_.end()) return;
-  if (contents) {
-    found->second.contents = summary_of(*contents);
-  } else {
-    found->second = {.state = state_of(file), .contents = std::nullopt};
-  }
+  if (found != files_.end()) found->second.contents = summary_of(contents);
 }
 
 void FileWatch::forget(Reader reader) {

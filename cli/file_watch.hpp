@@ -38,11 +38,11 @@ class FileWatch {
 
   // All functions but wait() may be called by any thread.
 
-  /// Watches a file, which need not be there, from its present state on.
+  /// Watches a file, which need not be there, from its present state on; to be called before it is
+  /// read, also again.
   void add(const std::filesystem::path& path, Reader reader = 0);
-  /// What has been read of a watched file after add(): the same contents are no change. nullopt: it
-  /// could not be read.
-  void note_contents(const std::filesystem::path& path, std::optional<std::string_view> contents,
+  /// What has been read of a watched file after add(): the same contents are no change.
+  void note_contents(const std::filesystem::path& path, std::string_view contents,
                      Reader reader = 0);
   /// The files of this reader are not watched any more.
   void forget(Reader reader);
@@ -96,9 +96,7 @@ class WatchedFiles final : public lang::DiskFileSystem {
                                   std::error_code& error) const override {
     watch_.add(path, reader_);
     std::optional<std::string> text = DiskFileSystem::read(path, max, error);
-    const bool is_whole = text && text->size() <= max;
-    watch_.note_contents(path, is_whole ? std::optional<std::string_view>(*text) : std::nullopt,
-                         reader_);
+    if (text && text->size() <= max) watch_.note_contents(path, *text, reader_);
     return text;
   }
 

@@ -1,5 +1,6 @@
 #include "cli/program.hpp"
 
+#include <algorithm>
 #include <ranges>
 #include <string>
 #include <string_view>
@@ -26,11 +27,25 @@ std::string version_text() {
                      kInstructionSet, fmt::join(names, ", "), in_use);
 }
 
+/// `help render` as `render --help`; a command that is unknown as if it were called.
+std::vector<std::string> with_help_flag(std::span<const std::string> arguments,
+                                        const CommandInfo& program) {
+  std::vector<std::string> all(arguments.begin(), arguments.end());
+  if (all.empty() || all.front() != "help") return all;
+  all.erase(all.begin());
+  const bool is_known =
+      all.empty() || std::ranges::find(program.commands, all.front(), &CommandInfo::name) !=
+                         program.commands.end();
+  if (is_known) all.emplace_back("--help");
+  return all;
+}
+
 ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env) {
   CommandLine command_line("sdlc", "Compiles scene descriptions and renders them.");
   Command program = command_line.program();
   program.footer(
       "Examples:\n"
+      "  sdlc new ball                           writes ball.scene, a scene to begin with\n"
       "  sdlc render ball.scene                  renders to ball.png\n"
       "  sdlc serve ball.scene                   shows it in the browser while it is written\n"
       "  sdlc render old.json -o old.exr         a JSON config, to linear radiance\n"
@@ -46,7 +61,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
       "                                          job files for many machines\n"
       "  sdlc lsp                                language server for editors\n"
       "  sdlc explain E104                       explains a message\n"
-      "  sdlc render --help                      help for one command\n"
+      "  sdlc help render                        help for one command\n"
       "\n"
       "Exit status: 0 done, 1 the scene has errors or findings, 2 wrong usage or a file cannot be "
       "read or written,\n"
@@ -55,6 +70,7 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   bool wants_version = false;
   program.add_flag("--version", wants_version, "Print version, commit and instruction sets");
   Dispatcher dispatcher;
+  add_new_command(program, dispatcher);
   add_render_command(program, dispatcher);
   add_serve_command(program, dispatcher);
   add_inspect_command(program, dispatcher);
@@ -69,9 +85,12 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
   add_farm_command(program, dispatcher);
   add_explain_command(program, dispatcher);
   add_schema_command(program, dispatcher);
+  add_completions_command(program, dispatcher);
+  add_man_command(program, dispatcher);
+  add_complete_command(program, dispatcher);
 
   try {
-    if (!command_line.parse(arguments)) {
+    if (!command_line.parse(with_help_flag(arguments, program.info()))) {
       env.out << command_line.help();
       return ExitCode::Success;
     }

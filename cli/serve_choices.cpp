@@ -7,13 +7,13 @@ namespace sdlc::cli {
 
 void add_choices(const Json& message, Json& all) {
   constexpr std::size_t kMaxParams = 1000;
-  Json added = message;
-  // Another camera is at its own place.
-  if (added.contains("camera") && !added.contains("pose")) added["pose"] = nullptr;
   Json params = all.value("params", Json::object());
-  params.update(added.value("params", Json::object()));
-  if (params.size() > kMaxParams) return;
-  all.update(added);
+  Json added = params;
+  added.update(message.value("params", Json::object()));
+  if (added.size() <= kMaxParams) params = std::move(added);
+  all.update(message);
+  // Another camera is at its own place.
+  if (message.contains("camera") && !message.contains("pose")) all["pose"] = nullptr;
   all["params"] = std::move(params);
 }
 

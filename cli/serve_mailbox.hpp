@@ -40,7 +40,7 @@ struct ServeMail {
   }
 };
 
-/// Where it waits. May be used by any thread.
+/// The mail that waits for the session. May be used by any thread.
 class ServeMailbox {
  public:
   /// Calls `put_in(mail)`. If a file or a text has changed then, the compilation under way ends.

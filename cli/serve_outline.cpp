@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "lang/ast/ast.hpp"
 #include "lang/resolve/module.hpp"
@@ -70,66 +68,96 @@ void find_objects(lang::ast::Node node, std::uint32_t offset, std::vector<std::u
   }
 }
 
-constexpr std::size_t kOutside = std::numeric_limits<std::size_t>::max();
-
-/// Says how far the cursor is inside what made a sphere: 0 is innermost.
-using Depth = std::function<std::size_t(const lang::Origin& origin)>;
-
-/// Of a cursor in a scene: by the objects of the text. Null if it is in none.
-Depth depth_in_scene(const lang::Module& module, const TextPlace& cursor) {
-  std::vector<std::uint32_t> objects;
-  find_objects(lang::ast::Node(module.tree, 0), lang::nearest_offset(*module.file, cursor.position),
-               objects);
-  if (objects.empty()) return nullptr;
-  return [&module, objects = std::move(objects)](const lang::Origin& origin) {
-    std::size_t depth = kOutside;
-    const auto take = [&](const lang::Location& where) {
-      if (where.file != module.file) return;
-      const auto found = std::ranges::find(objects, where.span.begin);
-      if (found == objects.end()) return;
-      depth = std::min(depth, static_cast<std::size_t>(found - objects.begin()));
-    };
-    take(origin.where);
-    for (const lang::ChainLink& link : origin.chain) take(link.where);
-    return depth;
-  };
-}
-
-/// Of a cursor in a config: only the spheres themselves.
-Depth depth_in_config(const TextPlace& cursor) {
-  return [&cursor](const lang::Origin& origin) {
-    const lang::SourceFile* const file = origin.where.file;
-    if (file == nullptr || !is_same_file(*file, cursor.path)) return kOutside;
-    const std::uint32_t offset = lang::nearest_offset(*file, cursor.position);
-    const lang::Span span = origin.where.span;
-    return offset >= span.begin && offset <= span.end ? 0 : kOutside;
-  };
-}
-
-Depth depth_at(lang::Program* program, const TextPlace& cursor) {
-  for (std::uint32_t i = 0; program != nullptr && i < program->module_count(); ++i) {
-    const lang::Module& module = program->module(i);
-    if (is_same_file(*module.file, cursor.path)) return depth_in_scene(module, cursor);
+/// The same of a config.
+std::vector<std::uint32_t> config_objects(std::string_view text, std::uint32_t offset) {
+  std::vector<std::uint32_t> begins;
+  bool is_in_string = false;
+  for (std::uint32_t i = 0; i < text.size() && i <= offset; ++i) {
+    if (is_in_string && text[i] == '\\') {
+      ++i;
+    } else if (text[i] == '"') {
+      is_in_string = !is_in_string;
+    } else if (!is_in_string && text[i] == '{') {
+      begins.push_back(i);
+    } else if (!is_in_string && text[i] == '}' && i < offset && !begins.empty()) {
+      begins.pop_back();
+    }
   }
-  return depth_in_config(cursor);
+  std::ranges::reverse(begins);
+  return begins;
+}
+
+/// A text, and the beginnings of the objects around the cursor in it, the innermost first.
+struct ObjectsAtCursor {
+  const lang::SourceFile* file = nullptr;  // null: the scene does not have it
+  std::vector<std::uint32_t> begins{};
+};
+
+ObjectsAtCursor objects_in_scenes(lang::Program& program, const TextPlace& cursor) {
+  for (std::uint32_t i = 0; i < program.module_count(); ++i) {
+    const lang::Module& module = program.module(i);
+    if (!is_same_file(*module.file, cursor.path)) continue;
+    ObjectsAtCursor objects{.file = module.file};
+    find_objects(lang::ast::Node(module.tree, 0),
+                 lang::nearest_offset(*module.file, cursor.position), objects.begins);
+    return objects;
+  }
+  return {};
+}
+
+/// Looks only in configs that made one of the spheres.
+ObjectsAtCursor objects_in_configs(std::span<const lang::Origin> origins, const TextPlace& cursor) {
+  const lang::SourceFile* last = nullptr;
+  for (const lang::Origin& origin : origins) {
+    const lang::SourceFile* const file = origin.where.file;
+    if (file == nullptr || file == last) continue;
+    last = file;
+    if (!is_same_file(*file, cursor.path)) continue;
+    return {.file = file,
+            .begins = config_objects(file->text(), lang::nearest_offset(*file, cursor.position))};
+  }
+  return {};
+}
+
+bool reads(const ServedScene& scene, const fs::path& path) {
+  std::error_code ignored;
+  const fs::path file = fs::weakly_canonical(path, ignored);
+  return is_same_file(*scene.source, path) ||
+         std::ranges::any_of(scene.compiler->dependencies(), [&](const fs::path& other) {
+           return fs::weakly_canonical(other, ignored) == file;
+         });
 }
 
 }  // namespace
 
 Outline outline_at(ServedScene& scene, const TextPlace& cursor) {
-  const Depth depth = depth_at(scene.compiler->program(), cursor);
-  if (!depth) return {};
+  if (!reads(scene, cursor.path)) return {};
+  ObjectsAtCursor objects;
+  if (lang::Program* const program = scene.compiler->program()) {
+    objects = objects_in_scenes(*program, cursor);
+    if (objects.file != nullptr && objects.begins.empty()) return {};
+  }
+
   const SphereMap map = map_spheres(scene);
   std::vector<std::uint32_t> seen = map.spheres;
   std::ranges::sort(seen);
   seen.erase(std::ranges::unique(seen).begin(), seen.end());
   if (!seen.empty() && seen.back() == kNoSphere) seen.pop_back();
   const std::vector<lang::Origin> origins = scene.compiler->trace_again(seen);
-  // The innermost object that any sphere has counts.
-  std::vector<std::size_t> depths(seen.size(), kOutside);
-  std::ranges::transform(origins, depths.begin(), depth);
+  if (objects.file == nullptr) objects = objects_in_configs(origins, cursor);
+  // The place of each sphere among the objects; the innermost one that any sphere has counts.
+  std::vector<std::size_t> depths(seen.size(), objects.begins.size());
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    const auto take = [&](const lang::Location& where) {
+      if (where.file != objects.file) return;
+      const auto found = std::ranges::find(objects.begins, where.span.begin);
+      depths[i] = std::min(depths[i], static_cast<std::size_t>(found - objects.begins.begin()));
+    };
+    take(origins[i].where);
+    for (const lang::ChainLink& link : origins[i].chain) take(link.where);
+  }
   const auto innermost = std::ranges::min_element(depths);
-  if (innermost == depths.end() || *innermost == kOutside) return {};
+  if (innermost == depths.end() || *innermost == objects.begins.size()) return {};
   const auto is_meant = [&](std::uint32_t sphere) {
     const auto found = std::ranges::lower_bound(seen, sphere);
     return sphere != kNoSphere &&

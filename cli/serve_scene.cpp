@@ -10,6 +10,7 @@
 #include "cli/override_options.hpp"
 #include "cli/picture_memory.hpp"
 #include "cli/report_failure.hpp"
+#include "cli/scene_names.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/ast/ast.hpp"
 #include "lang/editor/value_text.hpp"
@@ -100,32 +101,6 @@ std::vector<ServedParam> read_params(const lang::Document& source, lang::Program
   return params;
 }
 
-/// The cameras that the text declares.
-std::vector<lang::ast::Node> cameras_of(const lang::SyntaxTree& tree) {
-  std::vector<lang::ast::Node> cameras;
-  for (const lang::ast::Node statement : lang::ast::Node(tree, 0).children()) {
-    if (statement.is(lang::SyntaxKind::Object) && statement.head() == "camera") {
-      cameras.push_back(statement);
-    }
-  }
-  return cameras;
-}
-
-/// Empty if it has none.
-std::string_view name_of(const lang::ast::Node& object) {
-  const auto name = object.first(lang::SyntaxKind::Name);
-  return name ? name->text() : std::string_view();
-}
-
-std::vector<std::string> read_cameras(const lang::Document& source) {
-  std::vector<std::string> names;
-  lang::DiagnosticSink ignored;
-  for (const lang::ast::Node& camera : cameras_of(source.tree(ignored))) {
-    if (!name_of(camera).empty()) names.emplace_back(name_of(camera));
-  }
-  return names;
-}
-
 /// So that a param may be renamed while it has a value.
 void drop_unknown_params(const std::vector<ServedParam>& params, ServeChoices& choices) {
   std::erase_if(choices.params, [&](const auto& choice) {
@@ -174,7 +149,7 @@ void compile(const ServeOptions& options, ServeChoices& choices, const OnCorrect
   scene.source = read_scene(options.scene, env);
   if (scene.source->format() == lang::SourceFormat::Scene) {
     scene.params = read_params(*scene.source, program_options(options.scene, env), *scene.stop);
-    scene.cameras = read_cameras(*scene.source);
+    scene.cameras = camera_names(*scene.source);
   }
   drop_unknown_params(scene.params, choices);
   scene.compiler.emplace(*scene.source, program_options(options, choices, env), scene.sink);

@@ -5,7 +5,14 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 
 find_package(GTest QUIET)
-option(SDLC_TESTS "Build the tests (needs GoogleTest)" ${GTest_FOUND})
+# The CMake package of Debian's OpenImageIO also requires its command-line tools (and Qt); pkg-config does not.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(OIIO QUIET IMPORTED_TARGET OpenImageIO>=2.4)
+set(can_test OFF)
+if(GTest_FOUND AND OIIO_FOUND)
+  set(can_test ON)
+endif()
+option(SDLC_TESTS "Build the tests (needs GoogleTest and OpenImageIO)" ${can_test})
 find_package(benchmark QUIET)
 option(SDLC_BENCHMARKS "Build the benchmarks of bench/ (needs Google Benchmark)" ${benchmark_FOUND})
 option(SDLC_WERROR "Treat warnings as errors" OFF)
@@ -52,5 +59,7 @@ endif()
 
 # The build tree has the shape of an installation, so that the program finds its modules the same way in both.
 include(GNUInstallDirs)
+# What is installed is built by its own targets; tests are not.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_BINDIR})
 set(SDLC_MODULE_DIR lib/sdlc)

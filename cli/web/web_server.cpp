@@ -300,12 +300,12 @@ class WebServer::Listener {
         timer_.async_wait([this](beast::error_code) { accept(); });
         return;
       }
+      accept();
       if (hub_.connections < kMaxConnections) {
         beast::error_code ignored;
         socket.set_option(tcp::no_delay(true), ignored);
         std::make_shared<Connection>(std::move(socket), hub_)->start();
       }
-      accept();
     });
   }
 

@@ -30,7 +30,8 @@ class WebServer {
  public:
   /// A connected browser window. Numbers are not used again.
   using Viewer = std::uint64_t;
-  /// Called on the thread of the server. An exception ends the connection that it is about.
+  /// Called on the thread of the server, `closed` also at its end. An exception ends the connection
+  /// that it is about; `closed` must not throw.
   struct Handlers {
     /// nullopt: there is nothing of this name.
     std::function<std::optional<WebResource>(const WebRequest& request)> get;
@@ -39,8 +40,8 @@ class WebServer {
   };
   static constexpr std::size_t kMaxConnections = 128;
   static constexpr std::size_t kMaxMessage = std::size_t{64} << 10;  ///< bytes, from a browser
-  /// That wait for one viewer to read them. One that reads too little is closed, as is the slowest
-  /// if those of all viewers have more than kMaxWaitingBytes.
+  /// The number of messages that may wait until a viewer reads them. A viewer that reads too little
+  /// is closed; so is the slowest one when all messages together have more than kMaxWaitingBytes.
   static constexpr std::size_t kMaxWaiting = 1000;
   /// A picture of the largest size, and texts.
   static constexpr std::size_t kMaxWaitingBytes = std::size_t{1} << 30;

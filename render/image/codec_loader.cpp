@@ -65,8 +65,9 @@ fs::path find_module(const ModuleInfo& info) {
   if (!fs::is_regular_file(module, error)) {
     throw IoError(
         "load", module,
-        fmt::format("this module, which {}, is missing; install it or set {} to its folder",
-                    info.use, kModulePathVariable));
+        fmt::format(
+            "this module, which {}, is missing; install it, or set {} to the folder of the modules",
+            info.use, kModulePathVariable));
   }
   return module;
 }

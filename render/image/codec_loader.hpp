@@ -13,7 +13,7 @@ enum class CodecModule : std::uint8_t {
   OpenImageIo,  ///< the other formats, and files of other programs; loaded in 0.2 s
 };
 
-/// That which writes this format, and reads at least what it writes.
+/// The module that writes a format. It reads at least what it writes.
 CodecModule module_of(ImageFormat format) noexcept;
 
 /// Returns the codec of a module; the first call loads it. Throws IoError if the module is missing,

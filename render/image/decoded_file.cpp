@@ -89,7 +89,15 @@ DecodedFile decode_file(const fs::path& path) {
     return image_codec(module).decode(*format, file, kMaxPicturePixels, decoded.image, error);
   };
   Decoding decoding = decode(module_of(*format));
-  if (decoding == Decoding::Foreign) decoding = decode(CodecModule::OpenImageIo);
+  if (decoding == Decoding::Foreign) {
+    try {
+      decoding = decode(CodecModule::OpenImageIo);
+    } catch (const IoError& missing) {
+      throw IoError("read", path,
+                    fmt::format("only OpenImageIO reads {} files of this kind: {}",
+                                describe(*format).name, missing.what()));
+    }
+  }
   if (decoding != Decoding::Done) throw IoError("read", path, error);
   return decoded;
 }

@@ -48,6 +48,7 @@ struct RenderMonitor {
   bool shows_passes = false;
   /// Whether a cancelled render has the picture of its samples so far, which takes some time.
   bool keeps_cancelled = true;
+  /// The render is cancelled, and its picture is not wanted.
   bool is_dropped() const noexcept { return !keeps_cancelled && cancel.load(); }
   /// With a time limit, called once, after an early pass, with the picture so far: the seconds that
   /// the caller needs after the render. The limit includes them.

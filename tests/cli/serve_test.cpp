@@ -174,6 +174,35 @@ TEST_F(ServedScenes, OutlineTheSpheresOfTheStatementAtTheCursor) {
   EXPECT_EQ(columns({99, 99}), std::pair(99, -1));
 }
 
+TEST_F(ServedScenes, OutlineTheSpheresOfAConfig) {
+  write_text(
+      folder_ / "row.json",
+      R"({"camera": {"look_from": [0, 0, 9], "look_at": [0, 0, 0], "up": [0, 1, 0], "vfov": 40,
+  "focal_length": 9, "aspect_ratio": 2, "viewport_height": 2, "samples_per_pixel": 1},
+ "rendering": {"width": 40, "render_depth": 2}, "saving": {"path": "row.png"},
+ "spheres": [
+  {"origin": [-3, 0, 0], "radius": 1, "material": {"type": "diffuse", "color": [255, 0, 0]}},
+  {"origin": [3, 0, 0], "radius": 1, "material": {"type": "diffuse", "color": [255, 0, 0]}}
+ ]})");
+  const auto scene = serve(
+      "scene 1\n"
+      "include \"row.json\"\n"
+      "camera { from: (0, 0, 100), at: (0, 0, 0), fov: 5deg, aspect: 2 }\n"
+      "render { width: 40, samples: 1 }\n");
+  ASSERT_TRUE(scene->prepared) << scene->failure;
+  const auto rows = [&](const char* file, lang::Position position) {
+    return outline_at(*scene, {folder_ / file, position}).rows;
+  };
+  for (const std::uint32_t column : {3U, 5U, 30U, 60U}) {
+    ASSERT_FALSE(rows("row.json", {5, column}).empty()) << column;
+    EXPECT_LT(rows("row.json", {5, column}).front().x, 20) << "the left one";
+    ASSERT_FALSE(rows("row.json", {6, column}).empty()) << column;
+    EXPECT_GT(rows("row.json", {6, column}).front().x, 20) << "the right one";
+  }
+  EXPECT_THAT(rows("row.json", {2, 5}), testing::IsEmpty()) << "a camera is not seen";
+  EXPECT_THAT(rows("other.json", {5, 5}), testing::IsEmpty());
+}
+
 TEST(CommandOfServe, RendersWhatItShows) {
   const auto command = [](const std::vector<std::string>& arguments, const ServeChoices& choices) {
     return render_command(arguments, choices);

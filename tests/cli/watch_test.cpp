@@ -101,6 +101,10 @@ TEST(FileWatch, ReportsAFileThatWasMissingAndReturnsAsItWas) {
   EXPECT_EQ(files.read(folder / "a", 99, error), std::nullopt);
   fs::rename(folder / "b", folder / "a");
   EXPECT_EQ(wait_for_change(watch), folder / "a");
+
+  watch.add(folder / "later");  // and it cannot be read
+  write_text(folder / "later", "");
+  EXPECT_EQ(wait_for_change(watch), folder / "later");
 }
 
 TEST(Cancellation, EndsTheRenderUnderWayAndLaterOnes) {

@@ -238,6 +238,7 @@ test('a render with an error goal ends within it, also after a change that is ta
   };
   await ends(1);
   await page.evaluate("choose({params: {size: '2'}})");
+  await page.waitForFunction('scene.scene === 2');
   await page.evaluate("choose({params: {size: 'none'}})");
   await page.waitForFunction('scene.scene === 2 && !scene.is_correct');
   await ends(2);

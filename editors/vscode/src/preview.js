@@ -51,8 +51,7 @@ async function externalUri(local) {
 /** The panels that show scenes. */
 class Previews {
   #server;
-  #panels = new Map(); // by the URI of the scene
-  #urls = new Map();
+  #shown = new Map(); // by the URI of the scene: { panel, url }
 
   constructor(server) {
     this.#server = server;
@@ -62,27 +61,33 @@ class Previews {
   /** Shows the scene of a document, which may be the one that includes it. */
   async open(uri) {
     const { url, scene } = await this.#server.ask('sdlc.preview', { uri: uri.toString() });
-    const known = this.#panels.get(scene);
+    const known = this.#shown.get(scene)?.panel;
     if (known) known.reveal(undefined, true);
     const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
     const panel = known ?? vscode.window.createWebviewPanel(VIEW_TYPE, '', column);
+    if (!known) this.#take(panel, scene);
     await this.#show(panel, scene, url);
   }
 
   /** Takes a panel over that the editor had before it was restarted. */
-  async deserializeWebviewPanel(panel, { scene }) {
-    this.#take(panel, scene);
+  async deserializeWebviewPanel(panel, state) {
+    if (!state?.scene) return panel.dispose();
+    this.#take(panel, state.scene);
     if (this.#server.client?.isRunning()) await this.#refresh();
-    else await this.#server.restart();
+    else if (!this.#server.isNeeded) await this.#server.restart();
   }
 
-  /** The scene has another name now. */
+  /** The scene has another name now; of a folder, the panel says that the file is gone. */
   async rename({ files }) {
     for (const { oldUri, newUri } of files) {
-      const panel = this.#panels.get(oldUri.toString());
-      if (!panel) continue;
-      panel.dispose();
-      await this.open(newUri);
+      const shown = this.#shown.get(oldUri.toString());
+      if (!shown) continue;
+      shown.panel.dispose();
+      try {
+        await this.open(newUri);
+      } catch (error) {
+        this.#server.log.error(`preview of ${newUri}: ${error.message}`);
+      }
     }
   }
 
@@ -90,7 +95,7 @@ class Previews {
   follow({ textEditor, selections }) {
     const { document } = textEditor;
     const { client } = this.#server;
-    if (this.#panels.size === 0 || !client?.isRunning()) return;
+    if (this.#shown.size === 0 || !client?.isRunning()) return;
     // Also a config that a scene includes.
     if (vscode.languages.match(selector(), document) === 0 && document.languageId !== 'json') return;
     const { line, character } = selections[0].active;
@@ -102,7 +107,7 @@ class Previews {
 
   /** The pages of a new server have other addresses. */
   async #refresh() {
-    for (const [scene, panel] of [...this.#panels]) {
+    for (const [scene, { panel }] of [...this.#shown]) {
       try {
         const { url } = await this.#server.ask('sdlc.preview', { uri: scene });
         await this.#show(panel, scene, url);
@@ -112,27 +117,29 @@ class Previews {
     }
   }
 
+  /** A scene has one panel: the newest. */
   #take(panel, scene) {
-    if (this.#panels.get(scene) === panel) return;
-    this.#panels.set(scene, panel);
+    const older = this.#shown.get(scene)?.panel;
+    this.#shown.set(scene, { panel });
+    older?.dispose();
     panel.title = `Preview ${path.basename(vscode.Uri.parse(scene).fsPath)}`;
     panel.webview.options = { enableScripts: true };
-    panel.onDidDispose(() => this.#end(scene));
+    panel.onDidDispose(() => this.#end(panel, scene));
   }
 
   async #show(panel, scene, url) {
-    this.#take(panel, scene);
-    if (this.#urls.get(scene) !== url) {
-      panel.webview.html = frame(await externalUri(vscode.Uri.parse(url, true)), scene);
-      this.#urls.set(scene, url);
-    }
+    const external = await externalUri(vscode.Uri.parse(url, true));
+    const shown = this.#shown.get(scene);
+    if (shown?.panel !== panel) return; // it has been closed in the meantime
+    if (shown.url !== url) panel.webview.html = frame(external, scene);
+    shown.url = url;
     const editor = vscode.window.activeTextEditor;
     if (editor) this.follow({ textEditor: editor, selections: editor.selections });
   }
 
-  async #end(scene) {
-    this.#panels.delete(scene);
-    this.#urls.delete(scene);
+  async #end(panel, scene) {
+    if (this.#shown.get(scene)?.panel !== panel) return;
+    this.#shown.delete(scene);
     if (this.#server.client?.isRunning()) await this.#server.ask('sdlc.endPreview', { uri: scene });
   }
 }

@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +21,7 @@ void check_size(std::int64_t width, std::int64_t height, std::int64_t max_pixels
 namespace {
 
 constexpr const char* kOtherFormat = "this module has no such format";
+constexpr const char* kNoMemory = "there is not enough memory for its pixels";
 
 class StandardCodec final : public ImageCodec {
  public:
@@ -31,6 +33,9 @@ class StandardCodec final : public ImageCodec {
       case ImageFormat::Ppm: file = encode_ppm(request); return true;
       default: throw std::invalid_argument(kOtherFormat);
     }
+  } catch (const std::bad_alloc&) {
+    error = kNoMemory;
+    return false;
   } catch (const std::exception& exception) {
     error = exception.what();
     return false;
@@ -49,6 +54,9 @@ class StandardCodec final : public ImageCodec {
     return Decoding::Done;
   } catch (const ForeignFile&) {
     return Decoding::Foreign;
+  } catch (const std::bad_alloc&) {
+    error = kNoMemory;
+    return Decoding::Failed;
   } catch (const std::exception& exception) {
     error = exception.what();
     return Decoding::Failed;

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include <OpenEXR/ImfArray.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -14,14 +17,13 @@
 #include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
-#include <OpenEXR/ImfThreading.h>
 
 #include "render/image/standard/formats.hpp"
 
 namespace sdlc::render::standard {
 namespace {
 
-/// The name in messages of the library, which then are about what they say.
+/// Messages of the library name it.
 constexpr const char* kNoFileName = "the file";
 constexpr int kMaxChannels = 1024;
 constexpr std::array<const char*, 3> kColors{"R", "G", "B"};
@@ -147,7 +149,9 @@ DecodedImage decode_exr(std::span<const std::byte> file, std::int64_t max_pixels
       image.channels.emplace_back(channel.name());
     }
   }
-  if (image.channels.size() > kMaxChannels) throw ForeignFile();
+  if (image.channels.size() > kMaxChannels) {
+    throw std::runtime_error("it has more than " + std::to_string(kMaxChannels) + " channels");
+  }
   if (!input.isComplete()) throw std::runtime_error("it is truncated");
 
   const std::size_t count = image.channels.size();

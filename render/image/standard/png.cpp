@@ -1,8 +1,11 @@
-#include <algorithm>
 #include <csetjmp>
 #include <cstring>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <png.h>
 
@@ -11,7 +14,8 @@
 namespace sdlc::render::standard {
 namespace {
 
-/// What the callbacks of libpng share. libpng leaves them by longjmp, past no destructor.
+/// What the callbacks of libpng share. libpng leaves them, and the functions with setjmp, by
+/// longjmp: they must not have objects with destructors.
 struct State {
   std::span<const std::byte> input = {};
   std::vector<std::byte> output = {};
@@ -26,14 +30,19 @@ State& state_of(png_structp png) { return *static_cast<State*>(png_get_error_ptr
 }
 void on_warning(png_structp, png_const_charp) {}
 
-void write(png_structp png, png_bytep bytes, png_size_t size) {
-  State& state = state_of(png);
-  const auto* first = reinterpret_cast<const std::byte*>(bytes);
+/// Whether there was memory. No exception may leave a callback, and no longjmp a handler.
+bool append(std::vector<std::byte>& file, std::span<const std::byte> bytes) noexcept {
   try {
-    state.output.insert(state.output.end(), first, first + size);
-  } catch (const std::exception&) {
-    png_error(png, "there is no memory for the file");
+    file.insert(file.end(), bytes.begin(), bytes.end());
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
   }
+}
+
+void write(png_structp png, png_bytep bytes, png_size_t size) {
+  const auto* first = reinterpret_cast<const std::byte*>(bytes);
+  if (!append(state_of(png).output, {first, size})) png_error(png, "there is not enough memory");
 }
 void flush(png_structp) {}
 
@@ -53,7 +62,7 @@ void put_srgb(png_structp png, png_infop info) {
 /// One call of libpng's for each step: false after an error.
 bool write_file(png_structp png, png_infop info, const EncodeRequest& request, png_textp texts,
                 int text_count, png_bytepp rows) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): of libpng
   png_set_IHDR(png, info, static_cast<png_uint_32>(request.width),
                static_cast<png_uint_32>(request.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -70,16 +79,21 @@ struct Header {
   bool has_alpha = false;
 };
 
-/// Reads what comes before the pixels, and asks for 8 or 16 bits, grey or RGB.
+/// Reads what comes before the pixels.
 bool read_header(png_structp png, png_infop info, Header& header) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  // Only what a file of this size can hold is allocated: rows are read one by one.
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): of libpng
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_read_info(png, info);
   header.width = png_get_image_width(png, info);
   header.height = png_get_image_height(png, info);
   header.has_alpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 ||
                      png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+  return true;
+}
+
+/// Asks for 8 or 16 bits, grey or RGB. Allocates memory for rows.
+bool choose_form(png_structp png, png_infop info, Header& header) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): of libpng
   png_set_expand(png);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
@@ -90,7 +104,7 @@ bool read_header(png_structp png, png_infop info, Header& header) {
 
 /// Reads all rows, and the texts after them.
 bool read_pixels(png_structp png, png_infop end, png_bytepp rows) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): of libpng
   png_read_image(png, rows);
   png_read_end(png, end);
   return true;
@@ -165,7 +179,24 @@ std::vector<std::byte> encode_png(const EncodeRequest& request) {
   return std::move(writer.state.output);
 }
 
+/// Throws unless the file consists of whole chunks up to its end mark: libpng allocates what the
+/// length of a chunk claims.
+void check_chunks(std::span<const std::byte> file) {
+  constexpr std::size_t kSignature = 8, kFrame = 12;  // length, name and checksum
+  for (std::size_t at = kSignature; at + kFrame <= file.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length = length << 8U | std::to_integer<std::size_t>(file[at + i]);
+    }
+    if (length > file.size() - at - kFrame) break;
+    if (std::memcmp(&file[at + 4], "IEND", 4) == 0) return;
+    at += kFrame + length;
+  }
+  throw std::runtime_error("it is truncated");
+}
+
 DecodedImage decode_png(std::span<const std::byte> file, std::int64_t max_pixels) {
+  check_chunks(file);
   Reader reader(file);
   const auto check = [&](bool is_done) {
     if (!is_done) throw std::runtime_error(reader.state.error);
@@ -174,8 +205,14 @@ DecodedImage decode_png(std::span<const std::byte> file, std::int64_t max_pixels
   check(read_header(reader.png, reader.info, header));
   check_size(header.width, header.height, max_pixels);
   if (header.has_alpha) throw ForeignFile();
+  check(choose_form(reader.png, reader.info, header));
 
   const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
+  // Deflate makes at most 1032 bytes of one, and a palette at most 24 of those.
+  constexpr std::size_t kMaxGrowth = std::size_t{1032} * 24;
+  if (row_bytes * header.height / kMaxGrowth > file.size()) {
+    throw std::runtime_error("it is truncated");
+  }
   std::vector<png_byte> bytes(row_bytes * header.height);
   std::vector<png_bytep> rows;
   for (std::size_t y = 0; y < header.height; ++y) rows.push_back(bytes.data() + y * row_bytes);
@@ -188,6 +225,7 @@ DecodedImage decode_png(std::span<const std::byte> file, std::int64_t max_pixels
                                         : std::vector<std::string>{"R", "G", "B"};
   image.has_codes = true;
   image.white = header.bits == 16 ? 65535 : 255;
+  image.values.reserve(bytes.size() / (header.bits == 16 ? 2 : 1));
   if (header.bits == 16) {
     for (std::size_t i = 0; i < bytes.size(); i += 2) {
       image.values.push_back(static_cast<float>(bytes[i] << 8 | bytes[i + 1]));

@@ -1,8 +1,9 @@
 #include <charconv>
-#include <limits>
-#include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "render/image/standard/formats.hpp"
 
@@ -26,8 +27,12 @@ class Numbers {
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
     return number;
   }
-  /// What follows the one white-space character after the last number.
-  std::string_view rest() const { return text_.substr(text_.empty() ? 0 : 1); }
+  /// What follows the white space, or the comment, after the last number.
+  std::string_view rest() const {
+    const std::size_t end = text_.starts_with('#') ? text_.find('\n') : 0;
+    if (end >= text_.size() || !is_space(text_[end])) throw std::runtime_error("it is damaged");
+    return text_.substr(end + 1);
+  }
 
  private:
   void skip_space() {
@@ -77,7 +82,8 @@ DecodedImage decode_ppm(std::span<const std::byte> file, std::int64_t max_pixels
   const std::size_t count = static_cast<std::size_t>(width * height) * image.channels.size();
   if (is_text) {
     // Each value has at least a digit and a space.
-    if (numbers.rest().size() + 1 < 2 * count - 1) throw std::runtime_error("it is truncated");
+    if (numbers.rest().size() + 1 < 2 * count) throw std::runtime_error("it is truncated");
+    image.values.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       const std::int64_t value = numbers.next();
       if (value > white) throw std::runtime_error("a value is larger than its white");
@@ -88,6 +94,7 @@ DecodedImage decode_ppm(std::span<const std::byte> file, std::int64_t max_pixels
   const std::string_view bytes = numbers.rest();
   const std::size_t size = white == 0xFF ? 1 : 2;
   if (bytes.size() < count * size) throw std::runtime_error("it is truncated");
+  image.values.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(bytes[at]); };
     image.values.push_back(

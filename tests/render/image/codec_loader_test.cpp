@@ -1,6 +1,7 @@
 #include "render/image/codec_loader.hpp"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -109,6 +110,18 @@ TEST_F(CodecLoader, NeedsNoOpenImageIoForPngExrAndPpm) {
         std::_Exit(is_loaded("libOpenImageIO") ? 1 : 0);
       },
       testing::ExitedWithCode(0), "");
+}
+
+TEST_F(CodecLoader, SaysWhichFileNeedsTheMissingModule) {
+  const TemporaryFolder folder;
+  std::filesystem::copy(SDLC_MODULES "/sdlc_image_codec.so", folder.path());
+  write_text(folder / "a.ppm", "P1 1 1\n1\n");
+  ::setenv("FOLDER", folder.path().c_str(), 1);
+  EXPECT_EXIT(load_from(folder.path().string(),
+                        [] { read_picture(std::string(std::getenv("FOLDER")) + "/a.ppm"); }),
+              testing::ExitedWithCode(0),
+              "cannot read `.*a.ppm`: only OpenImageIO reads PPM files of this kind: cannot load "
+              "`.*sdlc_openimageio.so`");
 }
 
 TEST_F(CodecLoader, MayStillBeLoadingWhenTheProcessEnds) {

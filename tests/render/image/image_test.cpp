@@ -264,6 +264,41 @@ TEST(Image, ReadsGreyAsThreeEqualComponents) {
   EXPECT_EQ(picture.at(1, 0), LinearRgb(1));
 }
 
+TEST(Image, ReadsEveryKindOfPpm) {
+  const TemporaryFolder folder;
+  using namespace std::string_literals;
+  for (const std::string& file : {
+           "P6 2 1 255\n\x33\x33\x33\xff\x00\x80"s,
+           "P6\n# a comment\n2 # another\n1\n255# a third\n\x33\x33\x33\xff\x00\x80"s,
+           "P6 2 1 65535\n\x33\x33\x33\x33\x33\x33\xff\xff\x00\x00\x80\x80"s,
+           "P3 2 1 255 51 51 51 255 0 128"s,
+           "P3\n2 1\n255\n51 51 51 # the second\n255 0 128\n"s,
+       }) {
+    write_text(folder / "a.ppm", file);
+    const Picture picture = read_picture(folder / "a.ppm");
+    EXPECT_EQ(picture.at(0, 0), LinearRgb(51 / 255.0)) << file;
+    EXPECT_EQ(picture.at(1, 0), LinearRgb(1, 0, 128 / 255.0)) << file;
+  }
+  write_text(folder / "a.ppm", "P5 2 1 255\n\x33\xff");
+  EXPECT_EQ(read_picture(folder / "a.ppm").at(0, 0), LinearRgb(51 / 255.0));
+  write_text(folder / "a.ppm", "P1 2 1\n1 0\n");  // by OpenImageIO
+  EXPECT_EQ(read_picture(folder / "a.ppm").at(1, 0), LinearRgb(1));
+  for (const char* file : {"P6 2 1 255", "P6 2 1 255x123456", "P6 2 1\n", "P3 2 1 255 1 2 3 4 5",
+                           "P3 2 1 255 1 2 3 4 5 256", "P3 2 1 255 1 2 3 4 5 x", "P6 0 1 255\n"}) {
+    write_text(folder / "a.ppm", file);
+    EXPECT_NE(error_of([&] { read_picture(folder / "a.ppm"); }), "") << file;
+  }
+}
+
+TEST(Image, RefusesAPngThatClaimsMoreThanItHas) {
+  const TemporaryFolder folder;
+  using namespace std::string_literals;
+  const std::string png = encoded(Picture(1, 1), {});
+  const std::size_t end = png.find("IEND") - 4;
+  write_text(folder / "a.png", png.substr(0, end) + "\x7f\xff\xff\xfftEXt"s + png.substr(end));
+  EXPECT_THAT(error_of([&] { read_picture(folder / "a.png"); }), HasSubstr("it is truncated"));
+}
+
 TEST(Image, RefusesToReadMorePixelsThanAnyPictureHas) {
   const TemporaryFolder folder;
   write_text(folder / "a.ppm", "P6\n100000 100000\n255\n");

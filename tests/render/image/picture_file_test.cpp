@@ -79,6 +79,19 @@ TEST_F(PictureFiles, MayHaveCodesOfSixteenBits) {
   EXPECT_NEAR(file.picture.at(0, 0).g, 0.5, 1 / 65535.0);
 }
 
+TEST_F(PictureFiles, MayBeOfAnyCompressionTiledOrOfHalfFloats) {
+  for (const char* compression : {"none", "rle", "zips", "zip", "piz", "pxr24"}) {
+    OIIO::ImageSpec spec = float_spec(40, 20, {"R", "G", "B", "Z"});
+    spec.attribute("compression", compression);
+    EXPECT_EQ(read("a.exr", spec).picture.at(39, 19), LinearRgb(0.5)) << compression;
+    spec.format = OIIO::TypeDesc::HALF;
+    EXPECT_EQ(read("a.exr", spec).picture.at(39, 19), LinearRgb(0.5)) << compression;
+  }
+  OIIO::ImageSpec tiled = float_spec(40, 20, {"R", "G", "B"});
+  tiled.tile_width = tiled.tile_height = 16;
+  EXPECT_EQ(read("a.exr", tiled).picture.at(39, 19), LinearRgb(0.5));
+}
+
 TEST_F(PictureFiles, NameAnOpacityBesideTheColours) {
   OIIO::ImageSpec spec = float_spec(3, 2, {"R", "G", "B", "A"});
   spec.alpha_channel = 3;

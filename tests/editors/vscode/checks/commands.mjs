@@ -29,11 +29,12 @@ function seePreview(bench) {
   });
 }
 
-/** The programs that serve pages. */
-function previews() {
+/** The programs that serve pages of this workbench. */
+function previews(bench) {
   return readdirSync('/proc').filter((process) => {
     try {
-      return /sdlc\0serve\0/.test(readFileSync(join('/proc', process, 'cmdline'), 'utf8'));
+      const [, command, scene] = readFileSync(join('/proc', process, 'cmdline'), 'utf8').split('\0');
+      return command === 'serve' && scene.startsWith(bench.folder);
     } catch {
       return false;
     }
@@ -44,7 +45,7 @@ export const checks = [
   {
     name: 'the command Preview Beside shows what is typed, the cursor, and the place of a click',
     async run(bench) {
-      const before = previews().length;
+      const before = previews(bench).length;
       await bench.open('preview.scene', scene('background { color: white }', BALL.replace('diffuse', 'unlit')));
       await bench.command('sdlc: Preview Beside');
       const frame = await seePreview(bench);
@@ -75,7 +76,7 @@ export const checks = [
 
       await bench.command('View: Close Editors in Other Groups');
       await bench.command('File: Revert File');
-      await until('the end of the program', () => previews().length === before);
+      await until('the end of the program', () => previews(bench).length === before);
     },
   },
   {
