@@ -181,6 +181,11 @@ TEST(TerminalGraphics, SixelsHaveTheColorsOnAverage) {
   }
 }
 
+/// Whether run_in_terminal() can work: some containers have no /dev/pts.
+bool has_terminals() {
+  return run_shell(TemporaryFolder().path(), "script -qec true /dev/null").exit_code == 0;
+}
+
 /// Runs a command with a terminal, which gives these answers.
 ProgramResult run_in_terminal(const TemporaryFolder& folder, const std::string& answers,
                               const std::string& command) {
@@ -192,7 +197,7 @@ ProgramResult run_in_terminal(const TemporaryFolder& folder, const std::string& 
 }
 
 TEST(Preview, ShowsThePictureInTheTerminal) {
-  if (!has_program("script")) GTEST_SKIP() << "needs script";
+  if (!has_terminals()) GTEST_SKIP() << "needs script, and pseudo-terminals";
   const TemporaryFolder folder;
   write_text(folder / "a.scene",
              "scene 1\n"
@@ -214,7 +219,7 @@ TEST(Preview, ShowsThePictureInTheTerminal) {
 }
 
 TEST(Preview, NeedsATerminal) {
-  if (!has_program("script")) GTEST_SKIP() << "needs script";
+  if (!has_terminals()) GTEST_SKIP() << "needs script, and pseudo-terminals";
   const TemporaryFolder folder;
   write_text(folder / "a.scene", "scene 1\ncamera main { from: (0, 0, 9), at: (0, 0, 0) }\n");
   const ProgramResult result =

@@ -51,11 +51,8 @@ std::vector<std::byte> encode_ppm(const EncodeRequest& request) {
   std::string text = request.ppm_text ? "P3\n" : "P6\n";
   text += std::to_string(request.width) + " " + std::to_string(request.height) + "\n255\n";
   if (request.ppm_text) {
-    const std::size_t row = 3 * static_cast<std::size_t>(request.width);
-    for (std::size_t i = 0; i < request.codes.size(); ++i) {
-      text += std::to_string(request.codes[i]);
-      text += (i + 1) % row == 0 ? '\n' : ' ';
-    }
+    // No line may be longer than 70 characters.
+    for (const std::uint8_t code : request.codes) text += std::to_string(code) + "\n";
   } else {
     text.append(request.codes.begin(), request.codes.end());
   }
