@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -12,12 +13,18 @@
 namespace sdlc::cli {
 namespace {
 
-/// The names of all flags of a command, with their dashes.
+/// The names of a flag with their dashes, the long ones first; none for a positional argument.
+std::vector<std::string> flag_names(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  return names;
+}
+
 std::vector<std::string> flags_of(const CLI::App& app) {
   std::vector<std::string> flags;
   for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) flags.push_back("-" + name);
+    std::ranges::move(flag_names(*option), std::back_inserter(flags));
   }
   return flags;
 }
@@ -94,8 +101,7 @@ OptionInfo info_of(CLI::Option& option) {
   info.description = option.get_description();
   info.is_positional = option.get_positional();
   info.is_required = option.get_required();
-  for (const std::string& name : option.get_lnames()) info.names.push_back("--" + name);
-  for (const std::string& name : option.get_snames()) info.names.push_back("-" + name);
+  info.names = flag_names(option);
   if (info.is_positional) info.names.push_back(option.get_name(true));
   if (option.get_items_expected_max() > 0) {
     info.words = words_of(option);

@@ -1,19 +1,15 @@
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <functional>
-#include <iterator>
 #include <memory>
 #include <optional>
-#include <ostream>
-#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/command_line.hpp"
-#include "cli/diagnostics_output.hpp"
 #include "cli/dispatcher.hpp"
 #include "cli/report_failure.hpp"
 #include "cli/scene_names.hpp"
@@ -21,9 +17,6 @@
 #include "lang/diagnostics/diagnostics.hpp"
 
 namespace sdlc::cli {
-
-// Of completions.bash, completions.fish and completions.zsh.
-extern const std::string_view kCompletionsBash, kCompletionsFish, kCompletionsZsh;
 
 namespace {
 
@@ -47,12 +40,10 @@ class Line {
   Line(const CommandInfo& program, std::vector<std::string> words, std::size_t index)
       : words_(std::move(words)), index_(index), command_(&program) {
     words_.resize(std::max(words_.size(), index_ + 1));
-    const CommandInfo* chosen = command_;
     for (std::size_t i = 1; i < index_; ++i) {
-      const auto found = std::ranges::find(chosen->commands, words_[i], &CommandInfo::name);
-      if (found != chosen->commands.end()) chosen = &*found;
+      const auto found = std::ranges::find(command_->commands, words_[i], &CommandInfo::name);
+      if (found != command_->commands.end()) command_ = &*found;
     }
-    command_ = chosen;
   }
 
   const CommandInfo& command() const noexcept { return *command_; }
@@ -175,30 +166,7 @@ ExitCode complete(const CommandInfo& program, const std::vector<std::string>& ar
   return ExitCode::Success;
 }
 
-constexpr std::array<std::string_view, 3> kShells{"bash", "zsh", "fish"};
-
 }  // namespace
-
-void add_completions_command(Command& program, Dispatcher& dispatcher) {
-  auto shell = std::make_shared<std::string>();
-  Command command = program.add_command("completions", "Print what completes commands in a shell");
-  command.add_text("SHELL", *shell, "Which shell").required().one_of(kShells);
-  command.add_flag("--quiet", "Has no effect here");
-  command.footer(
-      "Examples:\n"
-      "  source <(sdlc completions bash)                        for a line of ~/.bashrc\n"
-      "  source <(sdlc completions zsh)                         for a line of ~/.zshrc\n"
-      "  sdlc completions fish >~/.config/fish/completions/sdlc.fish\n"
-      "\n"
-      "Completes commands, flags, their values, and what a scene on the command line declares: "
-      "cameras and params.");
-  dispatcher.on(command, [shell](Environment& env) {
-    env.out << (*shell == "bash"  ? kCompletionsBash
-                : *shell == "zsh" ? kCompletionsZsh
-                                  : kCompletionsFish);
-    return ExitCode::Success;
-  });
-}
 
 void add_complete_command(Command& program, Dispatcher& dispatcher) {
   auto words = std::make_shared<std::vector<std::string>>();

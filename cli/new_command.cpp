@@ -13,6 +13,7 @@
 #include "cli/shell_quote.hpp"
 #include "cli/usage_error.hpp"
 #include "lang/text/display_width.hpp"
+#include "lang/text/replace_all.hpp"
 #include "render/image/atomic_file.hpp"
 
 namespace sdlc::cli {
@@ -37,15 +38,6 @@ std::string plain_name(const fs::path& path) {
   return name;
 }
 
-std::string scene_text(const std::string& name) {
-  constexpr std::string_view kMark = "@name@";
-  std::string text(kNewScene);
-  for (std::size_t at = text.find(kMark); at != std::string::npos; at = text.find(kMark, at)) {
-    text.replace(at, kMark.size(), name);
-  }
-  return text;
-}
-
 struct NewOptions {
   std::string name;
   bool is_quiet = false;
@@ -63,6 +55,7 @@ ExitCode make_scene(const NewOptions& options, Environment& env) {
   if (fs::exists(fs::symlink_status(path, ignored))) {
     throw UsageError(fmt::format("`{}` exists already; choose another name", shown));
   }
+  // Not render::ParentFolders, which leaves a parent that is a file to the write.
   if (const fs::path folder = path.parent_path(); !folder.empty()) {
     std::error_code error;
     fs::create_directories(folder, error);
@@ -71,7 +64,7 @@ ExitCode make_scene(const NewOptions& options, Environment& env) {
                                    lang::printable(folder.string()), error.message()));
     }
   }
-  const std::string text = scene_text(plain_name(path));
+  const std::string text = lang::replace_all(std::string(kNewScene), "@name@", plain_name(path));
   render::write_file_atomically(path, std::as_bytes(std::span(text)));
   env.out << shown << '\n';
   if (options.is_quiet) return ExitCode::Success;

@@ -12,6 +12,7 @@
 #include "cli/usage_error.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
+#include "lang/text/replace_all.hpp"
 #include "render/film/film_file.hpp"
 #include "render/image/atomic_file.hpp"
 #include "render/image/io_error.hpp"
@@ -83,10 +84,7 @@ std::string name_of_scene(std::string name, const std::string& scene) {
   if (stem.empty() && name.find(mark) != std::string::npos) {
     throw UsageError("{name} in an output's name requires --stdin-filename NAME");
   }
-  for (std::size_t at = 0; (at = name.find(mark, at)) != std::string::npos; at += stem.size()) {
-    name.replace(at, mark.size(), stem);
-  }
-  return name;
+  return lang::replace_all(std::move(name), mark, stem);
 }
 
 void check_absent(const fs::path& path) {

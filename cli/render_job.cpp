@@ -35,6 +35,7 @@
 #include "lang/text/display_width.hpp"
 #include "render/film/film.hpp"
 #include "render/image/atomic_file.hpp"
+#include "render/image/codec_loader.hpp"
 #include "render/image/image.hpp"
 #include "render/math/clock.hpp"
 #include "render/parallel/threads.hpp"

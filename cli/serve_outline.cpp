@@ -53,11 +53,6 @@ SphereMap map_spheres(const ServedScene& scene) {
   return map;
 }
 
-bool is_same_file(const lang::SourceFile& file, const fs::path& path) {
-  std::error_code ignored;
-  return fs::weakly_canonical(file.name(), ignored) == fs::weakly_canonical(path, ignored);
-}
-
 /// The beginnings of the objects around the offset, the innermost first.
 void find_objects(lang::ast::Node node, std::uint32_t offset, std::vector<std::uint32_t>& begins) {
   for (const lang::ast::Node child : node.children()) {
@@ -96,7 +91,7 @@ struct ObjectsAtCursor {
 ObjectsAtCursor objects_in_scenes(lang::Program& program, const TextPlace& cursor) {
   for (std::uint32_t i = 0; i < program.module_count(); ++i) {
     const lang::Module& module = program.module(i);
-    if (!is_same_file(*module.file, cursor.path)) continue;
+    if (!are_same_file(module.file->name(), cursor.path)) continue;
     ObjectsAtCursor objects{.file = module.file};
     find_objects(lang::ast::Node(module.tree, 0),
                  lang::nearest_offset(*module.file, cursor.position), objects.begins);
@@ -112,20 +107,11 @@ ObjectsAtCursor objects_in_configs(std::span<const lang::Origin> origins, const 
     const lang::SourceFile* const file = origin.where.file;
     if (file == nullptr || file == last) continue;
     last = file;
-    if (!is_same_file(*file, cursor.path)) continue;
+    if (!are_same_file(file->name(), cursor.path)) continue;
     return {.file = file,
             .begins = config_objects(file->text(), lang::nearest_offset(*file, cursor.position))};
   }
   return {};
-}
-
-bool reads(const ServedScene& scene, const fs::path& path) {
-  std::error_code ignored;
-  const fs::path file = fs::weakly_canonical(path, ignored);
-  return is_same_file(*scene.source, path) ||
-         std::ranges::any_of(scene.compiler->dependencies(), [&](const fs::path& other) {
-           return fs::weakly_canonical(other, ignored) == file;
-         });
 }
 
 }  // namespace

@@ -201,6 +201,18 @@ std::unique_ptr<ServedScene> serve_scene(const ServeOptions& options, ServeChoic
   return scene;
 }
 
+bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const lang::DiskFileSystem disk;
+  return disk.identity(a) == disk.identity(b);
+}
+
+bool reads(const ServedScene& scene, const std::filesystem::path& path) {
+  if (!scene.source) return false;
+  const auto is_it = [&](const std::filesystem::path& file) { return are_same_file(file, path); };
+  return is_it(scene.source->name()) ||
+         (scene.compiler && std::ranges::any_of(scene.compiler->dependencies(), is_it));
+}
+
 std::string camera_text(const ServedScene& scene) {
   if (!scene.lowered.camera) return {};
   const render::Camera& camera = scene.lowered.scene.camera;

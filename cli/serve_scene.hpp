@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -78,6 +79,11 @@ using OnCorrect =
 std::unique_ptr<ServedScene> serve_scene(const ServeOptions& options, ServeChoices& choices,
                                          std::shared_ptr<const lang::StopRequest> stop,
                                          const OnCorrect& on_correct, Environment& env);
+
+/// Whether both names are of one file.
+bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+/// Whether the scene is, or reads, this file.
+bool reads(const ServedScene& scene, const std::filesystem::path& path);
 
 /// The text of the camera, with the pose of the choices: its declaration if that is in the file,
 /// else only the pose. Precondition: the scene is prepared.

@@ -82,7 +82,6 @@ class ServeSession {
   void publish_progress();
   void answer_pick(Viewer viewer, ServeMail::Pixel pixel);
   void open_in_editor(const Json& place);
-  bool reads(const ServedScene* scene, const std::filesystem::path& path) const;
 
   // On the thread of the render
   void show_picture(std::shared_ptr<const ServedPicture> picture);
@@ -212,7 +211,7 @@ void ServeSession::take_texts(std::vector<ServeMail::Text> texts) {
     }
     // A scene with errors may lack this file.
     const bool is_correct = shown_ && !latest_;
-    if (!is_correct || reads(shown_.get(), path)) is_outdated_ = true;
+    if (!is_correct || reads(*shown_, path)) is_outdated_ = true;
   }
 }
 
@@ -317,19 +316,11 @@ void ServeSession::answer_pick(Viewer viewer, ServeMail::Pixel pixel) {
   server_->send(viewer, to_line(answer));
 }
 
-bool ServeSession::reads(const ServedScene* scene, const std::filesystem::path& path) const {
-  if (scene == nullptr || !scene->source) return false;
-  const auto is_it = [&](const std::filesystem::path& file) {
-    return workspace_.identity(file) == workspace_.identity(path);
-  };
-  return is_it(scene->source->name()) ||
-         (scene->compiler && std::ranges::any_of(scene->compiler->dependencies(), is_it));
-}
-
 void ServeSession::open_in_editor(const Json& place) {
   try {
     const std::string path = place.at("path").get<std::string>();
-    if (!reads(shown_.get(), path) && !reads(latest_.get(), path)) return;
+    const auto is_read = [&](const auto& scene) { return scene && reads(*scene, path); };
+    if (!is_read(shown_) && !is_read(latest_)) return;
     env_.out << to_line({{"type", "open"},
                          {"path", path},
                          {"line", place.at("line").get<std::uint32_t>()},

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/environment.hpp"
+#include "cli/json_values.hpp"
 #include "cli/kernel_options.hpp"
 #include "cli/precision_json.hpp"
 #include "render/scene/settings.hpp"
@@ -96,7 +97,7 @@ std::string to_json(const RenderStatistics& statistics, const render::RenderResu
       json[name] = nullptr;
     }
   }
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return to_line(json);
 }
 
 }  // namespace sdlc::cli

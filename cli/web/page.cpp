@@ -2,33 +2,24 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/web/random_token.hpp"
+#include "lang/text/replace_all.hpp"
 
 namespace sdlc::cli {
 
 // Of page.html, page.css and page.js.
 extern const std::string_view kPageHtml, kPageCss, kPageJs;
 
-namespace {
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
-
-}  // namespace
-
 WebResource page(std::string_view host) {
   const std::string nonce = random_token();
   std::string html(kPageHtml);
-  replace_all(html, "@nonce@", nonce);
-  replace_all(html, "@style@", kPageCss);
-  replace_all(html, "@script@", kPageJs);
+  html = lang::replace_all(std::move(html), "@nonce@", nonce);
+  html = lang::replace_all(std::move(html), "@style@", kPageCss);
+  html = lang::replace_all(std::move(html), "@script@", kPageJs);
   // Only what is in the page runs. The WebSocket is named for browsers whose 'self' lacks it.
   return {.type = "text/html",
           .body = std::move(html),

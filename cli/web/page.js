@@ -131,12 +131,12 @@ function takePicture(buffer) {
     data.data[j + 3] = 255;
   }
   image.getContext('2d').putImageData(data, 0, 0);
-  const isOfOtherSize = picture ? picture.header.full_width !== header.full_width ||
+  const needsFit = picture ? picture.header.full_width !== header.full_width ||
                                   picture.header.full_height !== header.full_height
                                 : view.isFitted;
   picture = {header, image, isFirstLook: header.width !== header.full_width || header.height !== header.full_height};
   byId('compare').disabled = !before;
-  if (isOfOtherSize) fit();
+  if (needsFit) fit();
   draw();
   showStatus();
   showWarnings();

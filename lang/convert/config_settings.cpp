@@ -8,6 +8,7 @@
 #include "lang/convert/config_number.hpp"
 #include "lang/convert/writers.hpp"
 #include "lang/schema/schema.hpp"
+#include "lang/text/replace_all.hpp"
 #include "render/image/tone.hpp"
 
 namespace sdlc::lang {
@@ -29,12 +30,8 @@ std::string string_text(std::string_view text) {
 }
 
 std::string name_of_frame(std::string name, int frame) {
-  for (std::size_t at = 0; (at = name.find(kFrameMark, at)) != std::string::npos;) {
-    const std::string number = fmt::format("{:0{}}", frame, kFrameMark.size());
-    name.replace(at, kFrameMark.size(), number);
-    at += number.size();
-  }
-  return name;
+  return lang::replace_all(std::move(name), kFrameMark,
+                           fmt::format("{:0{}}", frame, kFrameMark.size()));
 }
 
 std::string config_text(double number) { return config_number(number); }

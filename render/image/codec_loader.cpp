@@ -14,7 +14,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "render/image/image.hpp"
 #include "render/image/io_error.hpp"
 #include "render/parallel/thread_probe.hpp"
 

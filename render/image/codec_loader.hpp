@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "render/image/codec.hpp"
-#include "render/image/image.hpp"
+#include "render/image/image_format.hpp"
 
 namespace sdlc::render {
 
@@ -20,5 +20,16 @@ CodecModule module_of(ImageFormat format) noexcept;
 /// cannot be loaded or was built for another version of the program.
 ImageCodec& image_codec(CodecModule module);
 inline ImageCodec& image_codec(ImageFormat format) { return image_codec(module_of(format)); }
+
+/// Loading the codec may take a quarter of a second of one core, which a quick render uses better
+/// for tracing; with a time limit the picture must not wait for it.
+enum class Preload {
+  Late,  ///< after two seconds, or as soon as the codec is needed
+  Now,
+};
+
+/// Loads the codec of a format in the background, so that it is ready for the first picture. Throws
+/// IoError immediately if it is not installed.
+void preload_image_codec(ImageFormat format, Preload when = Preload::Late);
 
 }  // namespace sdlc::render

@@ -63,15 +63,4 @@ void write_picture(const std::filesystem::path& path, const Picture& picture,
 /// truncated file is an error.
 Picture read_picture(const std::filesystem::path& path);
 
-/// Loading the codec may take a quarter of a second of one core, which a quick render uses better
-/// for tracing; with a time limit the picture must not wait for it.
-enum class Preload {
-  Late,  ///< after two seconds, or as soon as the codec is needed
-  Now,
-};
-
-/// Loads the codec of a format in the background, so that it is ready for the first picture. Throws
-/// IoError immediately if it is not installed.
-void preload_image_codec(ImageFormat format, Preload when = Preload::Late);
-
 }  // namespace sdlc::render
