@@ -14,7 +14,6 @@
 #include "cli/version.hpp"
 #include "render/image/io_error.hpp"
 #include "render/kernel/backend.hpp"
-#include "render/parallel/threads.hpp"
 
 namespace sdlc::cli {
 namespace {
@@ -107,7 +106,6 @@ ExitCode parse_and_run(std::span<const std::string> arguments, Environment& env)
     env.err << command_line.help();
     return ExitCode::Usage;
   }
-  const render::ThreadLimit threads;
   return dispatcher.chosen()(env);
 }
 

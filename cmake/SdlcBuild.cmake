@@ -62,4 +62,5 @@ include(GNUInstallDirs)
 # What is installed is built by its own targets; tests are not.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_BINDIR})
-set(SDLC_MODULE_DIR lib/sdlc)
+# A folder deeper than lib/sdlc: there CPack would take modules for libraries and call ldconfig.
+set(SDLC_MODULE_DIR lib/sdlc/modules)

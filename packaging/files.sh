@@ -1,20 +1,29 @@
 #!/usr/bin/env bash
-# usage: packaging/files.sh SDLC FOLDER
+# usage: packaging/files.sh SDLC VERSION RELEASE MAINTAINER FOLDER
 #
 # Writes what packages have beside programs below FOLDER/PACKAGE, as below /usr/share: manual pages, completions,
 # copyright, changes, and the type of scene files. The same files at any time.
 set -euo pipefail
 unset CDPATH
 here=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
-sdlc=$(realpath -- "$1")
-mkdir -p -- "$2"
-cd -- "$2"
+sdlc=$(realpath -- "$1") version=$2 release=$3 maintainer=$4
+changelog=$here/../CHANGELOG.md
+date=$(sed -n "s/^## $version - //p" "$changelog")
+[[ $date ]] || {
+  echo "files.sh: CHANGELOG.md has no date of version $version" >&2
+  exit 1
+}
+mkdir -p -- "$5"
+cd -- "$5"
 
 put() { install -D -m 644 -- /dev/stdin "$1"; }
 
 for package in sdlc sdlc-openimageio; do
   put "$package/doc/$package/copyright" <"$here/copyright"
-  gzip -9n <"$here/../CHANGELOG.md" | put "$package/doc/$package/changelog.gz"
+  gzip -9n <"$changelog" | put "$package/doc/$package/changelog.gz"
+  printf '%s (%s-%s) unstable; urgency=medium\n\n  * Version %s, see changelog.gz.\n\n -- %s  %s\n' \
+    "$package" "$version" "$release" "$version" "$maintainer" "$(LC_ALL=C date -u -d "$date" -R)" |
+    gzip -9n | put "$package/doc/$package/changelog.Debian.gz"
 done
 cd sdlc
 "$sdlc" man | gzip -9n | put man/man1/sdlc.1.gz

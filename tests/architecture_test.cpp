@@ -101,9 +101,6 @@ TEST(Architecture, TheRendererKnowsNothingOfTheLanguage) {
 
 TEST(Architecture, EachLibraryIsUsedInOnePlace) {
   const std::map<std::string, std::vector<std::string>> users{
-      {"<tbb/",
-       {"render/compare", "render/denoise", "render/exactness", "render/hierarchy", "render/kernel",
-        "render/parallel", "render/session"}},
       {"<OpenImageIO/", {"render/image/openimageio"}},
       {"<OpenEXR/", {"render/image/standard"}},
       {"<png.h", {"render/image/standard"}},

@@ -9,10 +9,8 @@
 #include <span>
 #include <utility>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "render/math/color.hpp"
+#include "render/parallel/parallel_for.hpp"
 
 // Constants are named as in the paper and its supplement. Where these are ambiguous, this follows
 // the published program, version 1.x: borders repeat, filters are cut at three standard deviations
@@ -340,10 +338,8 @@ FlipMap flip(const Picture& picture, const Picture& reference, double pixels_per
       }
     }
   };
-  const int bands = (height + kBand - 1) / kBand;
-  tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& some) {
-    for (int band = some.begin(); band < some.end(); ++band) compare_band(band * kBand);
-  });
+  const auto bands = static_cast<std::size_t>((height + kBand - 1) / kBand);
+  parallel_for(bands, [&](std::size_t band) { compare_band(static_cast<int>(band) * kBand); });
   // Sum sequentially, so that rounding does not depend on the number of threads.
   map.mean = std::accumulate(map.values.begin(), map.values.end(), 0.0) /
              static_cast<double>(map.values.size());

@@ -6,10 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "render/denoise/cross_filter.hpp"
+#include "render/parallel/parallel_for.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -18,10 +16,7 @@ std::array<double, 3> channels(LinearRgb c) noexcept { return {c.r, c.g, c.b}; }
 
 template <typename Body>
 void for_each(int count, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<int>(0, count, 1),
-                    [&](const tbb::blocked_range<int>& range) {
-                      for (int i = range.begin(); i < range.end(); ++i) body(i);
-                    });
+  parallel_for(static_cast<std::size_t>(count), [&](std::size_t i) { body(static_cast<int>(i)); });
 }
 
 /// `scale`: of radiance.

@@ -8,9 +8,6 @@
 #include <memory>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
-
 #include "render/exactness/near_pairs.hpp"
 #include "render/parallel/ranges.hpp"
 
@@ -145,7 +142,7 @@ class RadixSort {
 
   template <typename Body>
   void for_ranges(int shift, const Body& body) {
-    tbb::parallel_for(std::size_t{0}, ranges_, [&](std::size_t range) {
+    parallel_for(ranges_, [&](std::size_t range) {
       auto& next = next_[range];
       const std::size_t end = count_ * (range + 1) / ranges_;
       for (std::size_t i = count_ * range / ranges_; i < end; ++i) {
@@ -172,13 +169,11 @@ class RadixSort {
 };
 
 void sort_run_by_radius(const Crowd& crowd, Entry* begin, Entry* end) {
-  constexpr std::ptrdiff_t kFew = 4096;
   const auto is_before = [&](const Entry& a, const Entry& b) {
     const double of_a = crowd.radius(a.sphere), of_b = crowd.radius(b.sphere);
     return of_a != of_b ? of_a < of_b : a.sphere < b.sphere;
   };
-  end - begin <= kFew ? std::sort(begin, end, is_before)
-                      : tbb::parallel_sort(begin, end, is_before);
+  std::sort(begin, end, is_before);
 }
 
 /// Sorts every run of equal keys. The ranges of threads never split a run.
@@ -191,7 +186,7 @@ void sort_runs_by_radius(const Crowd& crowd, Entry* entries, std::size_t count) 
     while (i > 0 && i < end && entries[i].key == entries[i - 1].key) ++i;
     begin[range] = i < end ? i : begin[range + 1];
   }
-  tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t range) {
+  parallel_for(ranges, [&](std::size_t range) {
     for (std::size_t i = begin[range], end; i < begin[range + 1]; i = end) {
       end = i + 1;
       while (end < begin[range + 1] && entries[end].key == entries[i].key) ++end;

@@ -10,12 +10,11 @@
 #include <memory>
 #include <utility>
 
-#include <tbb/parallel_for.h>
-
 #include "render/exactness/curve_order.hpp"
 #include "render/exactness/movement.hpp"
 #include "render/math/box.hpp"
 #include "render/math/vec3.hpp"
+#include "render/parallel/parallel_for.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -107,7 +106,7 @@ class Search {
     max_comparisons_ = kMaxComparisons + 100 * leaves;
     max_pairs_ = kMaxPairs + kMaxPairsPerSphere * order_.size();
     std::vector<std::vector<SpherePair>> found(parts);
-    tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
+    parallel_for(parts, [&](std::size_t part) {
       const std::size_t end = std::min(leaves, (part + 1) * kLeavesPerPart);
       for (std::size_t leaf = part * kLeavesPerPart; leaf < end && !is_too_much(); ++leaf) {
         find(leaf, found[part]);
@@ -166,7 +165,8 @@ class Search {
   /// `add(boxes, place, k)` stores item `k` of `count` in its node, and returns its Common bounds.
   template <typename Add>
   static void fill(Level& level, std::size_t count, const Add& add) {
-    tbb::parallel_for(std::size_t{0}, level.count, [&](std::size_t node) {
+    constexpr std::size_t kNodesPerTask = 256;
+    const auto fill_node = [&](std::size_t node) {
       level.boxes[node].clear();
       Common common;
       const std::size_t end = std::min(count, (node + 1) * kWidth);
@@ -174,7 +174,8 @@ class Search {
         common.add(add(level.boxes[node], k % kWidth, k));
       }
       level.common[node] = common;
-    });
+    };
+    parallel_for(level.count, fill_node, kNodesPerTask);
   }
 
   Common common_of(std::uint32_t i) const {

@@ -7,10 +7,9 @@
 #include <span>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-
 #include "render/hierarchy/bins.hpp"
 #include "render/hierarchy/build_primitives.hpp"
+#include "render/parallel/parallel_for.hpp"
 
 namespace sdlc::render {
 
@@ -81,7 +80,7 @@ class GridSplit {
   /// Calls body(range, primitive) for each primitive, with the ranges in parallel.
   template <typename Body>
   void for_primitives(const Body& body) const {
-    tbb::parallel_for(std::size_t{0}, chunks_, [&](std::size_t chunk) {
+    parallel_for(chunks_, [&](std::size_t chunk) {
       const std::size_t end = count_ * (chunk + 1) / chunks_;
       for (std::size_t i = count_ * chunk / chunks_; i < end; ++i) body(chunk, source_(i));
     });

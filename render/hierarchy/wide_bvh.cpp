@@ -4,15 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-
 #include "render/hierarchy/binned_split.hpp"
 #include "render/hierarchy/build_primitives.hpp"
 #include "render/hierarchy/grid_split.hpp"
 #include "render/hierarchy/sweep_split.hpp"
 #include "render/math/vec3.hpp"
+#include "render/parallel/parallel_for.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -135,12 +132,10 @@ class Builder {
     if (depth >= kMaxSahDepth) return children_of(whole, depth);
     const std::size_t count = whole.count();
     const auto copies = std::make_unique_for_overwrite<Primitive<T>[]>(count);  // NOLINT
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kCopiedPerTask),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        const auto from =
-                            primitives_.subspan(whole.begin + range.begin(), range.size());
-                        std::copy(from.begin(), from.end(), copies.get() + range.begin());
-                      });
+    parallel_ranges(count, kCopiedPerTask, [&](std::size_t begin, std::size_t end) {
+      const auto from = primitives_.subspan(whole.begin + begin, end - begin);
+      std::copy(from.begin(), from.end(), copies.get() + begin);
+    });
     const auto source = [&](std::size_t i) -> const Primitive<T>& { return copies[i]; };
     return divided(GridSplit<T, decltype(source)>(source, count).split(primitives_, whole.begin),
                    depth);
@@ -151,7 +146,7 @@ class Builder {
     tree.nodes.resize(1);
     tree.children.resize(ranges.count);
     store_node(ranges, {}, tree.nodes[0]);
-    tbb::parallel_for(std::size_t{0}, ranges.count, [&](std::size_t i) {
+    parallel_for(ranges.count, [&](std::size_t i) {
       const Range<T>& range = ranges.of[i];
       if (range.is_leaf()) {
         add_leaf(range, tree.children[i]);
@@ -193,8 +188,7 @@ class Splicer {
   void write_to(WideBvh<T>& bvh) {
     bvh.nodes.resize(nodes_);
     bvh.slots.resize(leaves_ * kBvhWidth);
-    tbb::parallel_for(std::size_t{0}, places_.size(),
-                      [&](std::size_t i) { write(places_[i], bvh); });
+    parallel_for(places_.size(), [&](std::size_t i) { write(places_[i], bvh); });
   }
 
  private:

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include <tbb/global_control.h>
-
 #include "render/exactness/camera_surface.hpp"
 #include "render/exactness/precision.hpp"
 #include "render/kernel/light_pilot.hpp"
 #include "render/kernel/wide_scene.hpp"
-#include "render/parallel/threads.hpp"
+#include "render/parallel/workers.hpp"
 #include "render/shading/choose_lights.hpp"
 
 namespace sdlc::render {
@@ -104,9 +102,6 @@ void choose_search(Kernel& kernel, const Scene& scene, const KernelRequest& requ
 
 Kernel kernel_for(const Scene& scene, const RenderSettings& settings,
                   const KernelRequest& request) {
-  // The search for gaps is parallel.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(thread_count(settings.threads)));
   if (request.backend != nullptr && !request.backend->is_available()) {
     return refused(Subject::Backend, KernelObstacle::OtherMachine, request);
   }
@@ -234,7 +229,9 @@ std::string_view name_of(const Kernel& kernel) noexcept {
 
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
-  Kernel kernel = kernel_for(scene, settings, request);
+  // The search for gaps is parallel.
+  Kernel kernel =
+      Workers(settings.threads).run([&] { return kernel_for(scene, settings, request); });
   if (kernel.refusal) return kernel;
   Connections connections = connections_for(scene, settings, kernel.exact_spheres);
   kernel.may_have_casters = !choose_lights(scene, LightSampling::On).empty() &&

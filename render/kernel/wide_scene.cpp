@@ -6,9 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include "render/exactness/camera_surface.hpp"
 #include "render/exactness/near_pairs.hpp"
 #include "render/parallel/ranges.hpp"
@@ -101,20 +98,18 @@ void WideScene<T>::add_spheres(const std::vector<Sphere>& spheres, const std::ve
                                Place place) {
   constexpr std::size_t kSlotsPerTask = 4096;
   std::mutex mutex;
-  const auto add = [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const bool is_empty = i >= order.size() || order[i] == WideBvh<T>::kNoSphere;
-      const Sphere sphere = is_empty ? Sphere{} : spheres[order[i]];
-      const Vec3 moves = is_empty || shifts.empty() ? Vec3{} : shifts[order[i]];
-      add_sphere(first_slot + i, sphere, moves);
-      if (place == Place::World && has_camera_on_it(sphere, moves)) {
-        const std::lock_guard lock(mutex);
-        put_camera_on(static_cast<std::uint32_t>(first_slot + i), sphere);
-      }
-      if (search == Search::Bvh) material[first_slot + i] = sphere.material;
+  const auto add = [&](std::size_t i) {
+    const bool is_empty = i >= order.size() || order[i] == WideBvh<T>::kNoSphere;
+    const Sphere sphere = is_empty ? Sphere{} : spheres[order[i]];
+    const Vec3 moves = is_empty || shifts.empty() ? Vec3{} : shifts[order[i]];
+    add_sphere(first_slot + i, sphere, moves);
+    if (place == Place::World && has_camera_on_it(sphere, moves)) {
+      const std::lock_guard lock(mutex);
+      put_camera_on(static_cast<std::uint32_t>(first_slot + i), sphere);
     }
+    if (search == Search::Bvh) material[first_slot + i] = sphere.material;
   };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, padded(order.size()), kSlotsPerTask), add);
+  parallel_for(padded(order.size()), add, kSlotsPerTask);
   std::ranges::sort(camera_spheres, {}, &CameraSphere::slot);
 }
 
@@ -163,7 +158,7 @@ void WideScene<T>::add_materials(const Scene& scene) {
   const std::size_t ranges = (materials + kRange - 1) / kRange;
   std::vector<OpticsTable> of_ranges(ranges);
   const auto for_ranges = [&](const auto& body) {
-    tbb::parallel_for(std::size_t{0}, ranges, [&](std::size_t range) {
+    parallel_for(ranges, [&](std::size_t range) {
       const std::size_t end = std::min(materials, (range + 1) * kRange);
       for (std::size_t i = range * kRange; i < end; ++i) body(range, i);
     });

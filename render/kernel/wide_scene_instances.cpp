@@ -3,11 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-
 #include "render/exactness/camera_surface.hpp"
 #include "render/hierarchy/instance_table.hpp"
 #include "render/kernel/wide_scene.hpp"
+#include "render/parallel/parallel_for.hpp"
 #include "render/scene/instances.hpp"
 
 namespace sdlc::render {
@@ -19,7 +18,7 @@ auto WideScene<T>::add_hierarchies(const Scene& scene, const Prototype& bounds)
   parts.reserve(scene.prototypes.size() + 1);
   // The BVHs of large prototypes are built by several threads, those of small ones in parallel.
   std::vector<WideBvh<T>> trees(scene.prototypes.size() + 1);
-  tbb::parallel_for(std::size_t{0}, trees.size(), [&](std::size_t i) {
+  parallel_for(trees.size(), [&](std::size_t i) {
     const Prototype& of = i < scene.prototypes.size() ? scene.prototypes[i] : bounds;
     Scene part;
     part.spheres = of.spheres;

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
+#include <vector>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
+#include "render/parallel/parallel_for.hpp"
 
-/// Parallel loops over the spheres of a scene, on all threads of the current arena. Short loops
-/// stay on the calling thread, because distributing them would take longer.
+/// Parallel loops over the spheres of a scene. Short loops stay on the calling thread, because
+/// distributing them would take longer.
 namespace sdlc::render {
 
 /// Elements per range: some tens of microseconds of work.
@@ -17,28 +15,23 @@ inline constexpr std::size_t kRange = 16384;
 /// Calls body(i) for each i below `count`, in any order.
 template <typename Body>
 void for_each_index(std::size_t count, const Body& body) {
-  const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-  };
-  const tbb::blocked_range<std::size_t> all(0, count, kRange);
-  count <= kRange ? run(all) : tbb::parallel_for(all, run);
+  parallel_for(count, body, kRange);
 }
 
-/// Parallel reduction: `add(sum, i)` for each i below `count`, starting from `none`; `join(sum,
-/// later)` combines sums of adjacent ranges, the earlier one first. The result is deterministic if
-/// it does not depend on how indices are split into ranges.
+/// Parallel reduction: `add(sum, i)` for each i below `count`, starting from `none` in each range
+/// of kRange indices; `join(sum, later)` combines the sums of the ranges in order. The result does
+/// not depend on the number of threads.
 template <typename Sum, typename Add, typename Join>
 Sum reduce_indices(std::size_t count, const Sum& none, const Add& add, const Join& join) {
-  const auto run = [&](const tbb::blocked_range<std::size_t>& range, Sum sum) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) add(sum, i);
-    return sum;
-  };
-  const tbb::blocked_range<std::size_t> all(0, count, kRange);
-  if (count <= kRange) return run(all, none);
-  return tbb::parallel_reduce(all, none, run, [&](Sum sum, const Sum& later) {
-    join(sum, later);
-    return sum;
+  std::vector<Sum> sums((count + kRange - 1) / kRange, none);
+  parallel_ranges(count, kRange, [&](std::size_t begin, std::size_t end) {
+    Sum sum = none;
+    for (std::size_t i = begin; i < end; ++i) add(sum, i);
+    sums[begin / kRange] = sum;
   });
+  Sum all = none;
+  for (const Sum& sum : sums) join(all, sum);
+  return all;
 }
 
 /// The maximum of `value(i)` and `initial`.

@@ -1,9 +1,7 @@
 #include "render/parallel/threads.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <mutex>
-#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -38,16 +36,7 @@ int wanted_threads(int asked) {
 
 int thread_count(int asked) { return working_threads(wanted_threads(asked)); }
 
-ThreadLimit::ThreadLimit() {
-  const int threads = thread_count(0);
-  if (threads == wanted_threads(0)) return;
-  limit_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                 static_cast<std::size_t>(threads));
-}
-
 bool is_thread_shortage(const std::exception& error) noexcept {
-  // oneTBB includes the name of the function that failed.
-  if (std::string_view(error.what()).find("pthread_create") != std::string_view::npos) return true;
   const auto* system = dynamic_cast<const std::system_error*>(&error);
   return system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
 }

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <exception>
-#include <memory>
-
-#include <tbb/global_control.h>
 
 namespace sdlc::render {
 
@@ -14,16 +11,6 @@ int thread_count(int asked);
 
 /// The number of threads without the limits of the system.
 int wanted_threads(int asked);
-
-/// Limits oneTBB, during its lifetime, to threads that can be started: oneTBB aborts the process if
-/// it cannot start one.
-class ThreadLimit {
- public:
-  ThreadLimit();
-
- private:
-  std::unique_ptr<tbb::global_control> limit_;  // null if there is no shortage
-};
 
 /// Whether the exception reports a thread that could not be started.
 bool is_thread_shortage(const std::exception& error) noexcept;

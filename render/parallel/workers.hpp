@@ -1,44 +1,45 @@
 #pragma once
 
-#include <cstddef>
-
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
-
-#include "render/parallel/threads.hpp"
+#include <memory>
 
 namespace sdlc::render {
+
+class Pool;
 
 /// The threads of one render.
 class Workers {
  public:
-  /// `threads` as in RenderSettings.
-  explicit Workers(int threads)
-      : count_(thread_count(threads)),
-        limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count_)),
-        arena_(count_) {
-    // Start all threads, which also makes oneTBB load its allocator, before anything else loads a
-    // library and before time is measured.
-    arena_.execute([this] {
-      tbb::parallel_for(
-          0, count_, [](int) {}, tbb::simple_partitioner{});
-    });
-  }
+  /// `threads` as in RenderSettings. Starts them all, so that none starts while time is measured;
+  /// fewer if the system refuses.
+  explicit Workers(int threads);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
 
-  int count() const noexcept { return count_; }
+  /// With the thread that calls run().
+  int count() const noexcept;
 
   /// Calls `work`, whose parallel loops use these threads.
   template <typename Work>
-  decltype(auto) run(const Work& work) {
-    return arena_.execute(work);
+  decltype(auto) run(const Work& work) const {
+    const InUse in_use(pool_.get());
+    return work();
   }
 
  private:
-  int count_;
-  tbb::global_control limit_;
-  tbb::task_arena arena_;
+  /// Makes the pool that of the calling thread.
+  class InUse {
+   public:
+    explicit InUse(Pool* pool) noexcept;
+    ~InUse();
+    InUse(const InUse&) = delete;
+    InUse& operator=(const InUse&) = delete;
+
+   private:
+    Pool* before_;
+  };
+
+  std::unique_ptr<Pool> pool_;
 };
 
 }  // namespace sdlc::render

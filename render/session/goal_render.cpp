@@ -5,9 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
+#include "render/parallel/parallel_for.hpp"
 #include "render/session/adaptive_samples.hpp"
 
 namespace sdlc::render {
@@ -127,13 +125,12 @@ void GoalRender::estimate_plain() {
   result_.min_samples = counts.min;
   result_.max_samples = counts.max;
   const bool is_known = result_.min_samples >= kMinReplicatedSamples;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film_.size(), 1024),
-                    [&](const tbb::blocked_range<std::size_t>& pixels) {
-                      for (std::size_t i = pixels.begin(); i < pixels.end(); ++i) {
-                        result_.picture.pixels[i] = film_.mean(i);
-                        if (is_known) spreads_[i] = film_.spread(i);
-                      }
-                    });
+  constexpr std::size_t kPixelsPerTask = 1024;
+  const auto put = [&](std::size_t i) {
+    result_.picture.pixels[i] = film_.mean(i);
+    if (is_known) spreads_[i] = film_.spread(i);
+  };
+  parallel_for(film_.size(), put, kPixelsPerTask);
   result_.error.reset();
   result_.plain_error.reset();
   if (is_known) result_.error = estimate_error(result_.picture, spreads_);

@@ -6,9 +6,7 @@
 #include <span>
 #include <utility>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
+#include "render/parallel/parallel_for.hpp"
 
 namespace sdlc::render {
 namespace {
@@ -48,18 +46,11 @@ std::size_t PictureTracer::pixels_per_tile(std::size_t pixels,
 void PictureTracer::for_each_tile(
     std::size_t pixels, std::size_t pixels_per_tile,
     const std::function<void(std::size_t begin, std::size_t end)>& body) const {
-  const std::size_t tiles = (pixels + pixels_per_tile - 1) / pixels_per_tile;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, tiles, 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t tile = range.begin(); tile < range.end(); ++tile) {
-          if (monitor_.cancel.load(std::memory_order_relaxed)) return;
-          if (monitor_.before_tile) monitor_.before_tile();
-          const std::size_t begin = tile * pixels_per_tile;
-          body(begin, std::min(pixels, begin + pixels_per_tile));
-        }
-      },
-      tbb::simple_partitioner{});
+  parallel_ranges(pixels, pixels_per_tile, [&](std::size_t begin, std::size_t end) {
+    if (monitor_.cancel.load(std::memory_order_relaxed)) return;
+    if (monitor_.before_tile) monitor_.before_tile();
+    body(begin, end);
+  });
 }
 
 bool PictureTracer::trace(std::vector<PixelRun>& runs, TraceCounts& counts,

@@ -6,10 +6,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include "render/image/tone.hpp"
+#include "render/parallel/workers.hpp"
 
 namespace sdlc::test {
 namespace {
@@ -95,11 +94,8 @@ TEST(Flip, SeesLessOfNoiseFromFartherAway) {
 
 TEST(Flip, GivesTheSameBitsForAnyNumberOfThreads) {
   const Picture a = noise(33, 200, 1), b = noise(33, 200, 2);
-  // More than this machine may have.
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 5);
-  FlipMap one, five;
-  tbb::task_arena(1).execute([&] { one = flip(a, b); });
-  tbb::task_arena(5).execute([&] { five = flip(a, b); });
+  const auto map = [&] { return flip(a, b); };
+  const FlipMap one = render::Workers(1).run(map), five = render::Workers(5).run(map);
   EXPECT_EQ(one.values, five.values);
   EXPECT_EQ(one.mean, five.mean);
 }

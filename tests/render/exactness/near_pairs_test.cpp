@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
+#include "render/parallel/workers.hpp"
 #include "tests/support/statistics/random.hpp"
 
 namespace sdlc::render {
@@ -126,8 +126,7 @@ TEST(NearPairs, AreNotLookedForWhereTooManySpheresHeapUp) {
 TEST(NearPairs, DoNotDependOnPlaceScaleAndThreads) {
   Scene scene = crowd(20000, 2);
   const auto pairs = near_pairs(scene, kNearness);
-  tbb::task_arena one(1);
-  EXPECT_EQ(one.execute([&] { return near_pairs(scene, kNearness); }), pairs);
+  EXPECT_EQ(Workers(1).run([&] { return near_pairs(scene, kNearness); }), pairs);
   for (Sphere& sphere : scene.spheres) {
     sphere.center = sphere.center * 0x1p-700;
     sphere.radius *= 0x1p-700;

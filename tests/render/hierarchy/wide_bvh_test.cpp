@@ -8,9 +8,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
+#include "render/parallel/workers.hpp"
 #include "render/session/render.hpp"
 #include "tests/render/kernel/kernels.hpp"
 #include "tests/support/reference/path_tracer.hpp"
@@ -195,11 +194,7 @@ template <typename T>
 WideBvh<T> built_with(int threads, const Scene& scene) {
   std::vector<std::uint32_t> members(scene.spheres.size());
   std::iota(members.begin(), members.end(), 0u);
-  // Neither depends on the number of processors.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  return arena.execute([&] { return WideBvh<T>(scene, members); });
+  return Workers(threads).run([&] { return WideBvh<T>(scene, members); });
 }
 
 template <typename T>

@@ -33,7 +33,7 @@ export const checks = [
     name: 'an old sdlc is reported, with the version that is needed',
     run: (bench) =>
       withPath(bench, bench.program('old', 'echo "sdlc 0.0.9 (1234567)"'), async () => {
-        await bench.seeText('.notification-toast', 'is sdlc 0.0.9. This extension needs 0.1.0 or later');
+        await bench.seeText('.notification-toast', 'is sdlc 0.0.9. This extension needs 0.2.0 or later');
         await bench.screenshot('old');
       }),
   },

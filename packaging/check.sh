@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# usage: packaging/check.sh PACKAGES
+#
+# Installs and uses each package of the folder PACKAGES, as `./dev package` wrote them, in an empty Debian 12 of its own,
+# and prints how many packages and megabytes each brings. It needs root and debootstrap, and some minutes. lintian
+# judges the Debian packages where it is installed. The status is not 0 if anything fails.
+set -euo pipefail
+unset CDPATH
+packages=$(cd -P -- "$1" && pwd -P)
+work=$(mktemp -d /var/tmp/sdlc-check.XXXXXX)
+empty=$work/empty root=$work/root
+
+leave() {
+  umount "$root/proc" 2>/dev/null || true
+  rm -rf -- "$work"
+}
+trap leave EXIT
+
+mirror=$(grep -rhE '^URIs:.*debian/?$' /etc/apt/sources.list.d/ | head -n 1 | sed 's/URIs: *//') || true
+debootstrap --variant=minbase bookworm "$empty" "${mirror:-http://deb.debian.org/debian}" >"$work/log"
+# Packages come from the host's mirror, with its certificates and proxies.
+rm -rf -- "$empty/etc/apt"
+cp -r /etc/apt /etc/ssl /etc/hosts /etc/resolv.conf "$empty/etc"
+mkdir -p "$empty/usr/local/share"
+cp -r /usr/local/share/ca-certificates "$empty/usr/local/share" 2>/dev/null || true
+cp -r /usr/share/keyrings "$empty/usr/share" 2>/dev/null || true
+settings=(HOME=/root DEBIAN_FRONTEND=noninteractive PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
+mapfile -t -O "${#settings[@]}" settings < <(env | grep -iE '^(https?_proxy|no_proxy|ssl_cert_file)=' || true)
+
+now() { date +%s.%N; }
+# minus A B [UNIT]: A - B, in units of UNIT.
+minus() { awk -v a="$1" -v b="$2" -v unit="${3:-1}" 'BEGIN { printf "%.1f", (a - b) / unit }'; }
+
+# Begins with an empty Debian that has the packages in /packages.
+begin() {
+  printf '\n%s\n' "$1"
+  umount "$root/proc" 2>/dev/null || true
+  rm -rf -- "$root"
+  cp -a -- "$empty" "$root"
+  mkdir "$root/packages" "$root/work"
+  find "$packages" -maxdepth 1 -type f -exec cp -t "$root/packages" {} +
+  mount -t proc proc "$root/proc"
+  inside apt-get -qq update
+}
+
+# inside COMMAND...: runs it in the Debian, in the folder /work.
+inside() { env -i "${settings[@]}" chroot "$root" sh -c 'cd /work && exec "$@"' sh "$@"; }
+shell() { inside sh -ec "$1"; }
+sizes() { inside dpkg-query -W -f='${Installed-Size}\n' | awk '{kb += $1} END {print NR, kb}'; }
+
+# install COMMAND: runs it, and prints what it brought.
+install() {
+  local before after start
+  read -r -a before < <(sizes)
+  start=$(now)
+  shell "$1" >"$work/log" 2>&1 || { tail -n 20 "$work/log" && return 1; }
+  read -r -a after < <(sizes)
+  printf '  %s: %d packages of Debian, %s MB, %s s\n' "$1" $((after[0] - before[0])) \
+    "$(minus "${after[1]}" "${before[1]}" 1024)" "$(minus "$(now)" "$start")"
+}
+
+# use COMMAND: the command `sdlc` and its pictures.
+use() {
+  local start
+  start=$(now)
+  shell "$1 new ball && $1 render ball.scene --error 2% && test -s ball.png"
+  printf '  first picture, to 2 %%: %s s\n' "$(minus "$(now)" "$start")"
+  shell "$1 lint . && $1 fmt --check . && $1 explain E104 >/dev/null && $1 schema >/dev/null"
+  shell "printf 'scene 1\nsphere a { radus: 1 }\n' >bad.scene; ! $1 lint bad.scene >found 2>&1; grep -q 'did you mean' found"
+}
+
+begin "Debian packages"
+[[ ! $(command -v lintian) ]] || lintian --allow-root --fail-on error,warning "$packages"/*.deb
+shell 'find / -xdev | sort >/packages/before' 2>/dev/null
+install 'apt-get install -y --no-install-recommends /packages/sdlc_*.deb'
+use sdlc
+shell 'sdlc render ball.scene -o ball.exr --width 64; ! sdlc render ball.scene -o ball.jpg 2>error; grep -q sdlc-openimageio error'
+shell 'test -s /usr/share/man/man1/sdlc-render.1.gz && test -s /usr/share/bash-completion/completions/sdlc'
+shell 'rm -rf /work/*; apt-get purge -y --auto-remove sdlc >/dev/null 2>&1; find / -xdev | sort >/packages/after'
+if shell 'diff /packages/before /packages/after | grep "^>" | grep -vE " /(packages|proc|var/(cache|lib|log)|etc/ld.so.cache)"'; then
+  echo '  left behind, see above'
+  exit 1
+fi
+install 'apt-get install -y --no-install-recommends /packages/*.deb'
+shell 'sdlc new ball && sdlc render ball.scene --width 64 -o ball.jpg && test -s ball.jpg'
+
+begin "One file, in an empty folder"
+tar -C "$work" -xzf "$packages"/sdlc-*-linux-*.tar.gz
+file=$(echo "$work"/sdlc-*/bin/sdlc)
+! ldd "$file" >/dev/null 2>&1 || { echo "  it is a dynamic executable" && exit 1; }
+mkdir -p "$work/nothing/work"
+cp -- "$file" "$work/nothing/sdlc"
+alone() { (cd "$work/nothing/work" && env -i chroot "$work/nothing" /sdlc "$@"); }
+alone new /work/ball
+alone lint /work/ball.scene
+alone fmt --check /work/ball.scene
+alone render /work/ball.scene --error 2% -o /work/ball.png
+alone convert /work/ball.scene -o - >/dev/null || true
+alone explain E104 >/dev/null
+alone schema >/dev/null
+printf '  %s MB\n' "$(minus "$(stat -c %s "$file")" 0 1000000)"
+
+begin "Wheel"
+install 'apt-get install -y --no-install-recommends python3-venv'
+install 'python3 -m venv /work/v && /work/v/bin/pip install -q --no-index /packages/*.whl'
+use /work/v/bin/sdlc
+
+begin "npm"
+install 'apt-get install -y --no-install-recommends npm'
+install 'npm install --offline --no-audit --no-fund /packages/*.tgz'
+use node_modules/.bin/sdlc
+shell 'rm bad.scene; npx --offline sdlc-lint ball.scene'

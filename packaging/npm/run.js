@@ -1,0 +1,23 @@
+// Runs the program that the package of this platform contains, and ends as it ends.
+const { spawnSync } = require("node:child_process");
+
+module.exports = (args) => {
+  const name = `@sdlc/${process.platform}-${process.arch}`;
+  let program;
+  try {
+    program = require.resolve(`${name}/bin/sdlc`);
+  } catch {
+    console.error(
+      `sdlc-lint: the package ${name} is missing: either there is no sdlc for this platform, ` +
+        "or optional packages are not installed (npm install --include=optional)"
+    );
+    process.exit(2);
+  }
+  const result = spawnSync(program, args, { stdio: "inherit" });
+  if (result.error) {
+    console.error(`sdlc-lint: ${program} cannot run: ${result.error.message}`);
+    process.exit(2);
+  }
+  if (result.signal) process.kill(process.pid, result.signal);
+  process.exit(result.status);
+};

@@ -1,0 +1,176 @@
+"""What packaging/archives.py writes, and what installs it in CI. Arguments: the root of the repository, its version.
+The program in these packages is a script that prints its arguments and ends with status 3."""
+
+import base64
+import csv
+import hashlib
+import io
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tarfile
+import tempfile
+import unittest
+import zipfile
+
+ROOT, VERSION = pathlib.Path(sys.argv[1]), sys.argv[2]
+PROGRAM = '#!/bin/sh\nprintf "<%s>" "$@"\nexit 3\n'
+needs_node = unittest.skipUnless(shutil.which("node"), "there is no Node.js")
+
+
+@unittest.skipUnless(pathlib.Path("/usr/share/doc/libpng-dev/copyright").exists(), "the libraries are not Debian's")
+class Packages(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def pack(self, folder, time="1700000000", program=PROGRAM, machine="x86_64"):
+        """Returns the folder of the packages."""
+        output = self.folder / folder
+        output.mkdir()
+        (output / "program").write_text(program)
+        command = [sys.executable, ROOT / "packaging/archives.py", output / "program", VERSION, machine, output]
+        subprocess.run(command, env={**os.environ, "SOURCE_DATE_EPOCH": time}, check=True, stdout=subprocess.DEVNULL)
+        (output / "program").unlink()
+        return output
+
+    def install(self, packages, folder="installed"):
+        """Puts the npm packages where npm would; returns the folder of sdlc-lint."""
+        modules = self.folder / folder / "node_modules"
+        for archive in sorted(packages.glob("*.tgz")):
+            with tarfile.open(archive) as tar:
+                name = json.load(tar.extractfile("package/package.json"))["name"]
+                tar.extractall(modules / "new")
+            (modules / name).parent.mkdir(exist_ok=True)
+            (modules / "new/package").rename(modules / name)
+        return modules / "sdlc-lint"
+
+    def run_node(self, script, *arguments):
+        return subprocess.run(["node", script, *arguments], capture_output=True, text=True)
+
+    def test_the_same_program_gives_the_same_bytes(self):
+        first, second = self.pack("first"), self.pack("second")
+        names = sorted(path.name for path in first.iterdir())
+        self.assertEqual(len(names), 4)
+        for name in names:
+            self.assertEqual((first / name).read_bytes(), (second / name).read_bytes(), name)
+
+    def test_the_record_of_the_wheel_has_every_file(self):
+        (wheel,) = self.pack("packages").glob("*.whl")
+        with zipfile.ZipFile(wheel) as files:
+            names = files.namelist()
+            record = f"sdlc-{VERSION}.dist-info/RECORD"
+            rows = list(csv.reader(io.StringIO(files.read(record).decode())))
+            self.assertEqual([row[0] for row in rows], names)
+            for name, digest, size in rows:
+                if name == record:
+                    continue
+                content = files.read(name)
+                expected = base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+                self.assertEqual((digest, size), (f"sha256={expected}", str(len(content))))
+            program = files.getinfo(f"sdlc-{VERSION}.data/scripts/sdlc")
+            self.assertEqual(program.external_attr >> 16, 0o100755)
+            self.assertEqual(files.read(program).decode(), PROGRAM)
+
+    def test_each_package_has_the_licences(self):
+        for package in self.pack("packages").iterdir():
+            if package.suffix == ".whl":
+                names = zipfile.ZipFile(package).namelist()
+            else:
+                names = tarfile.open(package).getnames()
+            for notice in ("LICENSE", "sdlc", "libpng-dev", "libc6-dev"):
+                self.assertTrue(any(name.endswith(f"/{notice}") for name in names), f"{package} {notice}")
+
+    @needs_node
+    def test_sdlc_lint_is_the_command_lint(self):
+        lint = self.install(self.pack("packages", machine=os.uname().machine))
+        result = self.run_node(lint / "lint.js", "a b", "--fix", "")
+        self.assertEqual((result.stdout, result.returncode), ("<lint><a b><--fix><>", 3))
+        result = self.run_node(lint / "sdlc.js", "explain", "E104")
+        self.assertEqual((result.stdout, result.returncode), ("<explain><E104>", 3))
+
+    @needs_node
+    def test_a_program_that_is_killed_kills_its_caller(self):
+        packages = self.pack("packages", program="#!/bin/sh\nkill -TERM $$\n", machine=os.uname().machine)
+        self.assertEqual(self.run_node(self.install(packages) / "lint.js").returncode, -signal.SIGTERM)
+
+    @needs_node
+    def test_a_missing_program_is_an_error_with_a_way_out(self):
+        lint = self.install(self.pack("packages", machine=os.uname().machine))
+        shutil.rmtree(lint.parent / "@sdlc")
+        result = self.run_node(lint / "lint.js", "scenes")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--include=optional", result.stderr)
+
+
+class ContinuousIntegration(unittest.TestCase):
+    """The action for GitHub and the template for GitLab, with an npx that prints its arguments."""
+
+    def run_script(self, script, **variables):
+        with tempfile.TemporaryDirectory() as folder:
+            npx = pathlib.Path(folder, "npx")
+            npx.write_text(PROGRAM)
+            npx.chmod(0o755)
+            environment = {**os.environ, **variables, "PATH": f"{folder}:{os.environ['PATH']}"}
+            result = subprocess.run(["bash", "-eo", "pipefail", "-c", script], env=environment, cwd=folder,
+                                    capture_output=True, text=True)
+            report = pathlib.Path(folder, "gl-code-quality-report.json")
+            return result.stdout + (report.read_text() if report.exists() else ""), result.returncode
+
+    def read(self, name):
+        try:
+            import yaml
+        except ImportError:
+            self.skipTest("there is no python3-yaml")
+        return list(yaml.safe_load_all((ROOT / name).read_text()))
+
+    def test_the_action_lints_the_paths(self):
+        (action,) = self.read("action.yml")
+        (step,) = action["runs"]["steps"]
+        output, status = self.run_script(step["run"], PATHS="a b/c $(exit)", VERSION=action["inputs"]["version"]["default"])
+        self.assertEqual(output, f"<--yes><sdlc-lint@{VERSION}><--format><github><--><a><b/c><$(exit)>")
+        self.assertEqual(status, 3)
+        self.assertEqual(step["env"], {"PATHS": "${{ inputs.paths }}", "VERSION": "${{ inputs.version }}"})
+
+    def test_the_template_writes_a_report(self):
+        spec, jobs = self.read("templates/lint.yml")
+        job = jobs["sdlc-lint"]
+        output, status = self.run_script("\n".join(job["script"]), SDLC_PATHS="a b/c",
+                                         SDLC_VERSION=spec["spec"]["inputs"]["version"]["default"])
+        self.assertEqual(output, f"<--yes><sdlc-lint@{VERSION}><--format><gitlab><--><a><b/c>")
+        self.assertEqual(status, 3)
+        self.assertEqual(job["artifacts"]["reports"]["codequality"], "gl-code-quality-report.json")
+
+
+class BillOfMaterials(unittest.TestCase):
+    @unittest.skipUnless(shutil.which("dpkg-query"), "the libraries are not Debian's")
+    def test_has_the_libraries_of_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "bill.json")
+            subprocess.run([sys.executable, ROOT / "packaging/sbom.py", VERSION, file], check=True,
+                           stdout=subprocess.DEVNULL)
+            components = json.loads(file.read_text())["components"]
+        rows = re.findall(r"^\| \[([^\]]+)\].*\|([^|]*)\|$", (ROOT / "THIRD_PARTY.md").read_text(), re.M)
+        joined = {name for name, how in rows if "not part of the program" not in how}
+        always = {"GNU C library", "libstdc++"}
+        self.assertTrue(joined)
+        self.assertEqual({component["name"] for component in components} - always, joined)
+
+
+class Versions(unittest.TestCase):
+    def test_what_names_a_version_names_this_one(self):
+        number = re.compile(r"(?:sdlc(?:-lint)?(?:@|==)v?|sdlc[-_]|sdlc/lint@v|rev: v|default: )(\d+\.\d+\.\d+)")
+        for name in ("action.yml", "templates/lint.yml", "docs/ci.md", "docs/install.md"):
+            found = number.findall((ROOT / name).read_text())
+            self.assertTrue(found, name)
+            self.assertEqual(set(found), {VERSION}, name)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
