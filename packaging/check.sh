@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# usage: packaging/check.sh PACKAGES
+# usage: packaging/check.sh PACKAGES [PART...]
 #
-# Installs and uses each package of the folder PACKAGES, as `./dev package` wrote them, in an empty Debian 12 of its own,
+# Installs and uses each package (PART: deb, file, wheel, npm) of the folder PACKAGES, as `./dev package` wrote them, in an empty Debian 12 of its own,
 # and prints how many packages and megabytes each brings. It needs root and debootstrap, and some minutes. lintian
 # judges the Debian packages where it is installed. The status is not 0 if anything fails.
 set -euo pipefail
 unset CDPATH
 packages=$(cd -P -- "$1" && pwd -P)
+shift
+(($#)) || set -- deb file wheel npm
 work=$(mktemp -d /var/tmp/sdlc-check.XXXXXX)
 empty=$work/empty root=$work/root
 
@@ -69,44 +71,53 @@ use() {
   shell "printf 'scene 1\nsphere a { radus: 1 }\n' >bad.scene; ! $1 lint bad.scene >found 2>&1; grep -q 'did you mean' found"
 }
 
-begin "Debian packages"
-[[ ! $(command -v lintian) ]] || lintian --allow-root --fail-on error,warning "$packages"/*.deb
-shell 'find / -xdev | sort >/packages/before' 2>/dev/null
-install 'apt-get install -y --no-install-recommends /packages/sdlc_*.deb'
-use sdlc
-shell 'sdlc render ball.scene -o ball.exr --width 64; ! sdlc render ball.scene -o ball.jpg 2>error; grep -q sdlc-openimageio error'
-shell 'test -s /usr/share/man/man1/sdlc-render.1.gz && test -s /usr/share/bash-completion/completions/sdlc'
-shell 'rm -rf /work/*; apt-get purge -y --auto-remove sdlc >/dev/null 2>&1; find / -xdev | sort >/packages/after'
-if shell 'diff /packages/before /packages/after | grep "^>" | grep -vE " /(packages|proc|var/(cache|lib|log)|etc/ld.so.cache)"'; then
-  echo '  left behind, see above'
-  exit 1
-fi
-install 'apt-get install -y --no-install-recommends /packages/*.deb'
-shell 'sdlc new ball && sdlc render ball.scene --width 64 -o ball.jpg && test -s ball.jpg'
+check_deb() {
+  begin "Debian packages"
+  [[ ! $(command -v lintian) ]] || lintian --allow-root --fail-on error,warning "$packages"/*.deb
+  shell 'find / -xdev | sort >/packages/before' 2>/dev/null
+  install 'apt-get install -y --no-install-recommends /packages/sdlc_*.deb'
+  use sdlc
+  shell 'sdlc render ball.scene -o ball.exr --width 64; ! sdlc render ball.scene -o ball.jpg 2>error; grep -q sdlc-openimageio error'
+  shell 'test -s /usr/share/man/man1/sdlc-render.1.gz && test -s /usr/share/bash-completion/completions/sdlc'
+  shell 'rm -rf /work/*; apt-get purge -y --auto-remove sdlc >/dev/null 2>&1; find / -xdev | sort >/packages/after'
+  if shell 'diff /packages/before /packages/after | grep "^>" | grep -vE " /(packages|proc|var/(cache|lib|log)|etc/ld.so.cache)"'; then
+    echo '  left behind, see above'
+    return 1
+  fi
+  install 'apt-get install -y --no-install-recommends /packages/*.deb'
+  shell 'sdlc new ball && sdlc render ball.scene --width 64 -o ball.jpg && test -s ball.jpg'
+}
 
-begin "One file, in an empty folder"
-tar -C "$work" -xzf "$packages"/sdlc-*-linux-*.tar.gz
-file=$(echo "$work"/sdlc-*/bin/sdlc)
-! ldd "$file" >/dev/null 2>&1 || { echo "  it is a dynamic executable" && exit 1; }
-mkdir -p "$work/nothing/work"
-cp -- "$file" "$work/nothing/sdlc"
-alone() { (cd "$work/nothing/work" && env -i chroot "$work/nothing" /sdlc "$@"); }
-alone new /work/ball
-alone lint /work/ball.scene
-alone fmt --check /work/ball.scene
-alone render /work/ball.scene --error 2% -o /work/ball.png
-alone convert /work/ball.scene -o - >/dev/null || true
-alone explain E104 >/dev/null
-alone schema >/dev/null
-printf '  %s MB\n' "$(minus "$(stat -c %s "$file")" 0 1000000)"
+check_file() {
+  begin "One file, in an empty folder"
+  tar -C "$work" -xzf "$packages"/sdlc-*-linux-*.tar.gz
+  file=$(echo "$work"/sdlc-*/bin/sdlc)
+  ! ldd "$file" >/dev/null 2>&1 || { echo "  it is a dynamic executable" && exit 1; }
+  mkdir -p "$work/nothing/work"
+  cp -- "$file" "$work/nothing/sdlc"
+  alone() { (cd "$work/nothing/work" && env -i "$(command -v chroot)" "$work/nothing" /sdlc "$@"); }
+  alone new /work/ball
+  alone lint /work/ball.scene
+  alone fmt --check /work/ball.scene
+  alone render /work/ball.scene --error 2% -o /work/ball.png
+  alone explain E104 >/dev/null
+  alone schema >/dev/null
+  printf '  %s MB\n' "$(minus "$(stat -c %s "$file")" 0 1000000)"
+}
 
-begin "Wheel"
-install 'apt-get install -y --no-install-recommends python3-venv'
-install 'python3 -m venv /work/v && /work/v/bin/pip install -q --no-index /packages/*.whl'
-use /work/v/bin/sdlc
+check_wheel() {
+  begin "Wheel"
+  install 'apt-get install -y --no-install-recommends python3-venv'
+  install 'python3 -m venv /work/v && /work/v/bin/pip install -q --no-index /packages/*.whl'
+  use /work/v/bin/sdlc
+}
 
-begin "npm"
-install 'apt-get install -y --no-install-recommends npm'
-install 'npm install --offline --no-audit --no-fund /packages/*.tgz'
-use node_modules/.bin/sdlc
-shell 'rm bad.scene; npx --offline sdlc-lint ball.scene'
+check_npm() {
+  begin "npm"
+  install 'apt-get install -y --no-install-recommends npm'
+  install 'npm install --offline --no-audit --no-fund /packages/*.tgz'
+  use node_modules/.bin/sdlc
+  shell 'rm bad.scene; npx --offline sdlc-lint ball.scene'
+}
+
+for part; do "check_$part"; done

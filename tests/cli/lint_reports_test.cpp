@@ -121,7 +121,7 @@ TEST_F(LintReports, AreRefusedByCommandsThatReportNothing) {
 }
 
 // The hooks of pre-commit and the recipes of docs/ci.md contain commands: in a folder of valid
-// scenes each succeeds silently.
+// scenes each succeeds silently. The package sdlc-lint is as if installed.
 TEST_F(LintReports, AreMadeByWhatHooksAndRecipesRun) {
   if (run_shell(folder_.path(), "python3 -c 'import yaml'").exit_code != 0) {
     GTEST_SKIP() << "no python3-yaml here";
@@ -135,6 +135,9 @@ TEST_F(LintReports, AreMadeByWhatHooksAndRecipesRun) {
   write_text(folder_ / "scenes/ball.scene",
              std::string(kClean) + "render { width: 8, samples: 1 }\n");
   std::filesystem::create_symlink(SDLC_PROGRAM, folder_ / "sdlc");
+  write_text(folder_ / "npm", "#!/bin/sh\n");
+  write_text(folder_ / "npx", "#!/bin/sh\nshift 2\nexec sdlc lint \"$@\"\n");  // --yes NAME
+  ASSERT_EQ(run_shell(folder_.path(), "chmod +x npm npx").exit_code, 0);
   std::istringstream lines(recipes.out);
   std::size_t run = 0;
   for (std::string line; std::getline(lines, line);) {
