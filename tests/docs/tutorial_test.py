@@ -137,7 +137,10 @@ class Reader:
         return result.returncode, result.stdout
 
     def serve(self, arguments):
-        """Opens the page whose address `sdlc serve` prints."""
+        """Opens the page whose address `sdlc serve` prints; a scene with errors, or none, is served too."""
+        status, text = self.run(["inspect", *arguments[1:]])
+        if status != 0:
+            raise Wrong(text)
         process = subprocess.Popen([self.program, *arguments], cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         try:
@@ -145,7 +148,8 @@ class Reader:
             address = re.search(r"http://\S+", line)
             if not address:
                 raise Wrong(f"no address: {line}")
-            with urllib.request.urlopen(address[0]) as answer:
+            without_proxy = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+            with without_proxy.open(address[0]) as answer:
                 if b"<html" not in answer.read():
                     raise Wrong("the address is not that of a page")
         finally:
