@@ -53,6 +53,8 @@
 //     its section; SDLC_UPDATE=1 rewrites it
 //   toml lint
 //     a `.sdlc.toml` that `sdlc lint` takes
+//   cpp, pbrt, pov or python
+//     the same in another language; not run
 //   sh
 //     lines `sdlc …` that succeed without a word, in a folder with the files of the page that have
 //     a NAME; the pictures are made small
@@ -97,6 +99,12 @@ bool is_file(const CodeBlock& block) {
   static const std::vector<std::string> kinds{"scene",  "scene-wrong",  "scene-file",  "scene-part",
                                               "config", "config-wrong", "config-file", "data-file"};
   return std::ranges::find(kinds, kind_of(block)) != kinds.end();
+}
+
+/// A block of another program's language.
+bool is_foreign(const CodeBlock& block) {
+  static const std::vector<std::string> languages{"cpp", "pbrt", "pov", "python"};
+  return std::ranges::find(languages, word(block, 0)) != languages.end();
 }
 
 std::string file_name(const CodeBlock& block) {
@@ -360,7 +368,7 @@ void check(const Example& example) {
     check_settings(example);
   } else if (word(block, 0) == "sh") {
     check_commands(example);
-  } else {
+  } else if (!is_foreign(block)) {
     FAIL() << "the kind of this block is unknown";
   }
 }
@@ -384,9 +392,11 @@ std::vector<std::string> page_paths() {
     paths.push_back(fs::relative(entry.path(), root).string());
   }
   std::ranges::sort(paths);
-  paths.insert(paths.begin(), {"README.md", "docs/language.md", "docs/mistakes.md",
-                               "docs/json-config.md", "docs/format.md", "docs/convert.md",
-                               "docs/lint.md", "docs/aov.md", "docs/compare.md"});
+  paths.insert(paths.begin(),
+               {"README.md", "docs/language.md", "docs/mistakes.md", "docs/json-config.md",
+                "docs/format.md", "docs/convert.md", "docs/lint.md", "docs/aov.md",
+                "docs/compare.md", "docs/coming-from-blender.md", "docs/coming-from-one-weekend.md",
+                "docs/coming-from-pbrt.md", "docs/coming-from-povray.md"});
   return paths;
 }
 
