@@ -170,7 +170,9 @@ bool has_in(std::string_view text, std::uint32_t at) {
     if (is_trivia(token.kind)) continue;
     const std::string_view word = tokens.text(token);
     const bool begins_line = std::exchange(is_first, false) && open == 0;
-    if (begins_line && ends_value && looks_like_statement(text, token.span.begin)) return false;
+    // `in 10` would otherwise look like a statement with a number for a name.
+    const auto looks_like_next = word == "in" ? looks_like_object : looks_like_statement;
+    if (begins_line && ends_value && looks_like_next(text, token.span.begin)) return false;
     if (token.kind == TokenKind::Open) ++open;
     if (token.kind == TokenKind::Close && open-- == 0) return false;
     ends_value = is_name(token.kind)

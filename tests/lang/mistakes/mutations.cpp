@@ -68,11 +68,13 @@ class MutantFiles final : public lang::FileSystem {
                                     [&](const SoundText& text) { return text.name == name; });
     return found == texts_.end() ? nullptr : &found->text;
   }
-  std::optional<std::string> read(const fs::path& path, std::uint64_t /*most*/,
+  std::optional<std::string> read(const fs::path& path, std::uint64_t most,
                                   std::error_code& error) const override {
     if (const std::string* text = find(path.generic_string())) return *text;
-    // Data files are not damaged.
-    if (path.extension() == ".csv") return read_text(source_folder("examples") / path);
+    // Data files are not damaged, but their names may be.
+    if (path.extension() == ".csv") {
+      return lang::DiskFileSystem().read(source_folder("examples") / path, most, error);
+    }
     error = std::make_error_code(std::errc::no_such_file_or_directory);
     return std::nullopt;
   }
