@@ -29,12 +29,6 @@ const md = makeMarkdown(root, highlight, known);
 const { pages, files } = collect(root, (source, text) => examine(md, source, text));
 pages.forEach((page, source) => known.set(source, page));
 
-// The README's table of pages describes them.
-for (const [, , path, words] of read('README.md').matchAll(/^\| \[([^\]]*)\]\(([^)]*)\) \| (.*) \|$/gm)) {
-  const page = pages.get(path) ?? pages.get(`${path}/README.md`);
-  if (page) page.description = words;
-}
-
 const renderer = new Renderer(program, root, cache);
 const examples = [];
 for (const name of readdirSync(join(root, 'examples')).filter((file) => file.endsWith('.scene')).sort()) {

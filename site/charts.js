@@ -57,7 +57,7 @@ function cellsOf(tokens, start) {
 const escape = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 const percent = (share) => `${(100 * share).toFixed(2)}%`;
 
-function bars(rows, series) {
+function bars(rows) {
   const greatest = Math.max(...rows.flatMap(({ values }) => values.filter(Number.isFinite)));
   let y = 0;
   const parts = rows.map(({ label, values }) => {
@@ -121,6 +121,6 @@ export function chartOf(source, tokens, start) {
   }));
   const { height, body } = (chart.kind === 'lines' ? lines : bars)(rows, series);
   const keys = series.map((name, k) => `<span class="key series-${k}">${escape(name)}</span>`).join(' ');
-  return `<figure class="chart"><figcaption>${escape(chart.title)} ${series.length > 1 ? keys : ''}</figcaption>` +
+  return `<figure class="chart"><figcaption>${escape(chart.title)} ${series.length > 1 ? `<span class="keys">${keys}</span>` : ''}</figcaption>` +
     `<svg role="img" aria-label="Chart of the next table" width="100%" height="${height}">\n${body}\n</svg></figure>\n`;
 }

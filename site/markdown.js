@@ -16,7 +16,7 @@ function sizeOf(path) {
   return bytes.toString('latin1', 12, 16) === 'IHDR' ? [bytes.readUInt32BE(16), bytes.readUInt32BE(20)] : undefined;
 }
 
-/** Sets ids of headings, and removes the heads of tables that are empty. */
+/** Sets ids of headings and classes of cells, and removes the heads of tables that are empty. */
 function prepare(state) {
   const used = new Map();
   state.tokens.forEach((token, i) => {
@@ -26,6 +26,9 @@ function prepare(state) {
       used.set(anchor, count + 1);
       token.attrSet('id', count === 0 ? anchor : `${anchor}-${count}`);
     }
+    // The alignment of a column.
+    const style = token.attrGet('style');
+    if (style) token.attrs = [['class', style.replace('text-align:', '')]];
   });
   for (let i; (i = state.tokens.findIndex((token) => token.type === 'thead_open')) >= 0;) {
     const end = state.tokens.findIndex((token) => token.type === 'thead_close');
