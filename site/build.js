@@ -1,6 +1,6 @@
 // Makes the site: `node build.js ROOT PROGRAM CACHE OUTPUT`. CONTRIBUTING.md says what is where.
 import { copyFileSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { dirname, extname, join, relative as pathBetween } from 'node:path';
+import { dirname, extname, join, posix, relative as pathBetween } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import Eleventy from '@11ty/eleventy';
 import { build as bundle } from 'esbuild';
@@ -63,6 +63,8 @@ const eleventy = new Eleventy('pages', pathBetween('.', output), {
   config(config) {
     config.setUseGitIgnore(false);
     config.setLibrary('md', md);
+    // Eleventy disables indented blocks of code.
+    config.amendLibrary('md', (library) => library.enable('code'));
     config.setIncludesDirectory('../layouts');
     config.addGlobalData('examples', examples);
     config.addGlobalData('ball', ball);
@@ -82,7 +84,8 @@ const eleventy = new Eleventy('pages', pathBetween('.', output), {
 
     for (const page of pages.values()) {
       if (page.source === 'README.md') continue;
-      add(`${page.source}`, page.text, { layout: 'doc.njk', ...page });
+      const index = pages.get(posix.join(posix.dirname(page.source), 'README.md'));
+      add(page.source, page.text, { layout: 'doc.njk', up: index === page ? undefined : index, ...page });
     }
     for (const [i, example] of examples.entries()) {
       const title = `${example.name}.scene`;

@@ -61,7 +61,8 @@ function bars(rows) {
   const greatest = Math.max(...rows.flatMap(({ values }) => values.filter(Number.isFinite)));
   let y = 0;
   const parts = rows.map(({ label, values }) => {
-    const text = `<text x="0" y="${(y += 16)}">${escape(label)}</text>`;
+    // Text of SVG does not wrap; a line of 44 letters fits a narrow screen.
+    const text = label.match(/.{1,44}(?= |$)/g).map((line) => `<text x="0" y="${(y += 16)}">${escape(line.trim())}</text>`).join('');
     const shapes = values.map((value, k) => {
       if (!Number.isFinite(value)) return '';
       const length = percent((0.85 * Math.max(value, 0)) / greatest);

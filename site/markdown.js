@@ -36,7 +36,9 @@ function prepare(state) {
     const isEmpty = head.every((token) => token.content === '');
     head.forEach((token, k) => {
       // An empty cell is the header of nothing.
-      if (token.type.startsWith('th_') && head[k + (token.nesting > 0 ? 1 : -1)].content === '') token.tag = 'td';
+      if (!token.type.startsWith('th_')) return;
+      if (head[k + (token.nesting > 0 ? 1 : -1)].content === '') token.tag = 'td';
+      else if (token.nesting > 0) token.attrSet('scope', 'col');
     });
     head[0].type = 'head_open';
     head.at(-1).type = 'head_close';

@@ -14,7 +14,8 @@ export function outputOf(source) {
   if (isExample(source)) return path.replace(/\.scene$/, '.html');
   if (isCopied(source)) return path;
   if (!isPage(source)) return `${path}.html`;
-  return path.replace(/[^/]*$/, (name) => name.toLowerCase().replace(/\.md$/, '.html').replace(/^readme\./, 'index.'));
+  if (!source.includes('/')) return path.toLowerCase().replace(/\.md$/, '.html').replace('readme.', 'index.');
+  return path.replace(/\.md$/, '.html').replace(/README\.html$/, 'index.html');
 }
 
 /** The relative link from one file of the site to another. */
