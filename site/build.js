@@ -21,8 +21,11 @@ const copy = (from, to) => {
 };
 
 // The languages of the blocks must be known before the first page is read.
-const languages = new Set(readdirSync(join(root, 'docs'), { recursive: true }).filter((name) => name.endsWith('.md'))
-  .flatMap((name) => [...read(`docs/${name}`).matchAll(/^ *```(\w+)/gm)].map((match) => match[1])));
+const languages = new Set(
+  readdirSync(join(root, 'docs'), { recursive: true })
+    .filter((name) => name.endsWith('.md'))
+    .flatMap((name) => [...read(`docs/${name}`).matchAll(/^ *```(\w+)/gm)].map((match) => match[1])),
+);
 const highlight = await makeHighlighter(root, [...languages, 'toml', 'csv', 'json', 'cpp', 'lisp']);
 const known = new Map();
 const md = makeMarkdown(root, highlight, known);
@@ -31,7 +34,9 @@ pages.forEach((page, source) => known.set(source, page));
 
 const renderer = new Renderer(program, root, cache);
 const examples = [];
-for (const name of readdirSync(join(root, 'examples')).filter((file) => file.endsWith('.scene')).sort()) {
+for (const name of readdirSync(join(root, 'examples'))
+  .filter((file) => file.endsWith('.scene'))
+  .sort()) {
   const source = `examples/${name}`;
   const text = read(source);
   const picture = await renderer.render(source);
@@ -49,7 +54,10 @@ function blockOf(source, words, index = 0) {
 
 /** A section of a page without its heading. */
 function sectionOf(source, title) {
-  const section = pages.get(source).text.split(/^## /m).find((part) => part.startsWith(`${title}\n`));
+  const section = pages
+    .get(source)
+    .text.split(/^## /m)
+    .find((part) => part.startsWith(`${title}\n`));
   if (!section) throw new Error(`the front page needs the section "${title}" of ${source}`);
   return section.slice(title.length);
 }
@@ -80,7 +88,8 @@ const eleventy = new Eleventy('pages', pathBetween('.', output), {
     config.addFilter('section', sectionOf);
     config.addFilter('introduction', (source) => pages.get(source).text.split('\n\n')[1]);
     config.addFilter('example', (name) => examples.find((example) => example.name === name));
-    const add = (path, content, data) => config.addTemplate(`pages/${path}`, content, { permalink: data.output, ...data });
+    const add = (path, content, data) =>
+      config.addTemplate(`pages/${path}`, content, { permalink: data.output, ...data });
 
     for (const page of pages.values()) {
       if (page.source === 'README.md') continue;
@@ -90,14 +99,27 @@ const eleventy = new Eleventy('pages', pathBetween('.', output), {
     for (const [i, example] of examples.entries()) {
       const title = `${example.name}.scene`;
       const neighbours = { previous: examples[i - 1], next: examples[i + 1] };
-      add(`${example.source}.njk`, '', { layout: 'example.njk', title, example, ...neighbours, output: example.output });
+      add(`${example.source}.njk`, '', {
+        layout: 'example.njk',
+        title,
+        example,
+        ...neighbours,
+        output: example.output,
+      });
     }
     for (const source of new Set(files)) {
       const isFolder = statSync(join(root, source)).isDirectory();
       if (isExample(source) || outputOf(source) === source.replace(/^docs\//, '')) continue;
       const words = [{ '.scene': 'scene', '.el': 'lisp', '.hpp': 'cpp' }[extname(source)] ?? extname(source).slice(1)];
       const names = isFolder ? readdirSync(join(root, source)).map((name) => `${source}/${name}`) : [];
-      const data = { title: source, source, names, words, text: isFolder ? '' : read(source), output: outputOf(source) };
+      const data = {
+        title: source,
+        source,
+        names,
+        words,
+        text: isFolder ? '' : read(source),
+        output: outputOf(source),
+      };
       add(`${source}.njk`, '', { layout: 'source.njk', ...data });
     }
   },
@@ -106,7 +128,9 @@ const eleventy = new Eleventy('pages', pathBetween('.', output), {
 rmSync(output, { recursive: true, force: true });
 await eleventy.write();
 if (missingCharts.size > 0) {
-  throw new Error(`no table for the charts ${[...missingCharts].map((chart) => `"${chart.section}"`).join(', ')}, see site/charts.js`);
+  throw new Error(
+    `no table for the charts ${[...missingCharts].map((chart) => `"${chart.section}"`).join(', ')}, see site/charts.js`,
+  );
 }
 
 for (const source of new Set(files)) {
@@ -115,5 +139,14 @@ for (const source of new Set(files)) {
 for (const example of examples) copy(example.picture, `examples/${example.name}.png`);
 copy(ball.picture, 'assets/ball.png');
 for (const name of ['site.css', 'icon.svg']) copy(join('assets', name), `assets/${name}`);
-await bundle({ entryPoints: ['assets/search.js'], outfile: join(output, 'assets/search.js'), bundle: true, minify: true, format: 'iife' });
-writeFileSync(join(output, 'assets/search-index.js'), `globalThis.searchIndex = ${JSON.stringify(searchIndex(pages, examples))};\n`);
+await bundle({
+  entryPoints: ['assets/search.js'],
+  outfile: join(output, 'assets/search.js'),
+  bundle: true,
+  minify: true,
+  format: 'iife',
+});
+writeFileSync(
+  join(output, 'assets/search-index.js'),
+  `globalThis.searchIndex = ${JSON.stringify(searchIndex(pages, examples))};\n`,
+);

@@ -1,5 +1,5 @@
-// Charts from tables of the documentation, as SVG. Bars and points are placed in per cent, so that a chart has the width
-// of the page and text keeps its size.
+// Charts from tables of the documentation, as SVG. Bars and points are placed in per cent: a chart has the width of the
+// page, and its text keeps its size.
 
 // A chart is drawn above a table: the `table`-th of the section, by default the first. Series are columns of the table,
 // counted from 0; column 0 has the labels.
@@ -62,13 +62,18 @@ function bars(rows) {
   let y = 0;
   const parts = rows.map(({ label, values }) => {
     // Text of SVG does not wrap; a line of 44 letters fits a narrow screen.
-    const text = label.match(/.{1,44}(?= |$)/g).map((line) => `<text x="0" y="${(y += 16)}">${escape(line.trim())}</text>`).join('');
+    const text = label
+      .match(/.{1,44}(?= |$)/g)
+      .map((line) => `<text x="0" y="${(y += 16)}">${escape(line.trim())}</text>`)
+      .join('');
     const shapes = values.map((value, k) => {
       if (!Number.isFinite(value)) return '';
       const length = percent((0.85 * Math.max(value, 0)) / greatest);
       const top = (y += 15) - 9;
-      return `<rect class="series-${k}" x="0" y="${top}" width="${length}" height="11" rx="2"/>` +
-        `<text class="value" x="${length}" dx="6" y="${top + 10}">${value}</text>`;
+      return (
+        `<rect class="series-${k}" x="0" y="${top}" width="${length}" height="11" rx="2"/>` +
+        `<text class="value" x="${length}" dx="6" y="${top + 10}">${value}</text>`
+      );
     });
     y += 12;
     return text + shapes.join('');
@@ -79,21 +84,44 @@ function bars(rows) {
 function lines(rows, series) {
   const height = 320;
   const points = series.map((name, k) =>
-    rows.map(({ label, values }) => [Math.log10(Number(label.replaceAll(',', ''))), Math.log10(values[k])]));
-  const [xs, ys] = [0, 1].map((axis) => points.flat().map((point) => point[axis]).filter(Number.isFinite));
-  const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.floor(Math.min(...ys)), Math.ceil(Math.max(...ys))];
+    rows.map(({ label, values }) => [Math.log10(Number(label.replaceAll(',', ''))), Math.log10(values[k])]),
+  );
+  const [xs, ys] = [0, 1].map((axis) =>
+    points
+      .flat()
+      .map((point) => point[axis])
+      .filter(Number.isFinite),
+  );
+  const [left, right, low, high] = [
+    Math.min(...xs),
+    Math.max(...xs),
+    Math.floor(Math.min(...ys)),
+    Math.ceil(Math.max(...ys)),
+  ];
   const x = (value) => percent(0.1 + (0.85 * (value - left)) / (right - left));
   const y = (value) => (10 + ((height - 40) * (high - value)) / (high - low)).toFixed(1);
   const decades = (from, to) => Array.from({ length: to - from + 1 }, (_, i) => from + i);
-  const axes = decades(low, high).map((d) =>
-    `<line class="axis" x1="10%" x2="95%" y1="${y(d)}" y2="${y(d)}"/><text class="value" text-anchor="end" x="9%" y="${y(d)}" dy="4">${10 ** d}</text>`);
+  const axes = decades(low, high).map(
+    (d) =>
+      `<line class="axis" x1="10%" x2="95%" y1="${y(d)}" y2="${y(d)}"/>` +
+      `<text class="value" text-anchor="end" x="9%" y="${y(d)}" dy="4">${10 ** d}</text>`,
+  );
   for (const d of decades(Math.ceil(left), Math.floor(right))) {
-    axes.push(`<text class="value" text-anchor="middle" x="${x(d)}" y="${height - 6}">10<tspan dy="-5" class="exponent">${d}</tspan></text>`);
+    axes.push(
+      `<text class="value" text-anchor="middle" x="${x(d)}" y="${height - 6}">` +
+        `10<tspan dy="-5" class="exponent">${d}</tspan></text>`,
+    );
   }
   const curves = points.map((curve, k) => {
-    const segments = curve.slice(1).map((to, i) =>
-      `<line class="series-${k}" x1="${x(curve[i][0])}" y1="${y(curve[i][1])}" x2="${x(to[0])}" y2="${y(to[1])}"/>`);
-    return segments.concat(curve.map((p) => `<circle class="series-${k}" cx="${x(p[0])}" cy="${y(p[1])}" r="4"/>`)).join('');
+    const segments = curve
+      .slice(1)
+      .map(
+        (to, i) =>
+          `<line class="series-${k}" x1="${x(curve[i][0])}" y1="${y(curve[i][1])}" x2="${x(to[0])}" y2="${y(to[1])}"/>`,
+      );
+    return segments
+      .concat(curve.map((p) => `<circle class="series-${k}" cx="${x(p[0])}" cy="${y(p[1])}" r="4"/>`))
+      .join('');
   });
   return { height, body: [...axes, ...curves].join('\n') };
 }
@@ -115,13 +143,18 @@ export function chartOf(source, tokens, start) {
     values: Object.values(chart.series).map((column) => {
       const value = Number.parseFloat(cells[column]?.replaceAll(',', ''));
       if (Number.isNaN(value) && cells[column] !== '') {
-        throw new Error(`${source}, ${section}: column ${column} has \`${cells[column]}\` and no number, see site/charts.js`);
+        throw new Error(
+          `${source}, ${section}: column ${column} has \`${cells[column]}\` and no number, see site/charts.js`,
+        );
       }
       return value;
     }),
   }));
   const { height, body } = (chart.kind === 'lines' ? lines : bars)(rows, series);
   const keys = series.map((name, k) => `<span class="key series-${k}">${escape(name)}</span>`).join(' ');
-  return `<figure class="chart"><figcaption>${escape(chart.title)} ${series.length > 1 ? `<span class="keys">${keys}</span>` : ''}</figcaption>` +
-    `<svg role="img" aria-label="Chart of the next table" width="100%" height="${height}">\n${body}\n</svg></figure>\n`;
+  const legend = series.length > 1 ? `<span class="keys">${keys}</span>` : '';
+  return (
+    `<figure class="chart"><figcaption>${escape(chart.title)} ${legend}</figcaption>` +
+    `<svg role="img" aria-label="Chart of the next table" width="100%" height="${height}">\n${body}\n</svg></figure>\n`
+  );
 }

@@ -1,5 +1,6 @@
-// Checks the site: `node check.js SITE [PART]`, where PART selects pages with names that contain it. Links and HTML of all files, then all pages in Chromium: accessibility in light
-// and dark, narrow screens, requests to other servers, and the search. Prints findings; the exit status is 1 if there are any.
+// Checks the site: `node check.js SITE [PART]`. Links and HTML of all files, then all pages, or those with PART in their
+// names, in Chromium: accessibility in light and dark, narrow screens, requests to other servers, and the search. Prints
+// findings; the exit status is 1 if there are any.
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
@@ -20,8 +21,12 @@ const find = (page, text) => {
   console.error(`${page}: ${text}`);
 };
 
-const files = readdirSync(site, { recursive: true }).filter((name) => statSync(join(site, name)).isFile()).sort();
-const texts = new Map(files.filter((name) => /\.(html|css)$/.test(name)).map((name) => [name, readFileSync(join(site, name), 'utf8')]));
+const files = readdirSync(site, { recursive: true })
+  .filter((name) => statSync(join(site, name)).isFile())
+  .sort();
+const texts = new Map(
+  files.filter((name) => /\.(html|css)$/.test(name)).map((name) => [name, readFileSync(join(site, name), 'utf8')]),
+);
 // Reports of `sdlc measure` are samples of its output, which its own tests check.
 const pages = [...texts.keys()].filter((name) => name.endsWith('.html') && !name.startsWith('reports/'));
 
@@ -48,13 +53,20 @@ async function checkHtml() {
   const validator = new HtmlValidate({ extends: ['html-validate:recommended'], rules });
   for (const page of pages) {
     const { results } = await validator.validateString(texts.get(page), page);
-    for (const { messages } of results) for (const { line, ruleId, message } of messages) find(page, `line ${line}: ${message} (${ruleId})`);
+    for (const { messages } of results)
+      for (const { line, ruleId, message } of messages) find(page, `line ${line}: ${message} (${ruleId})`);
   }
 }
 
 /** The site below a path, as on a server of other pages. */
 function serve() {
-  const types = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml', '.png': 'image/png' };
+  const types = {
+    '.html': 'text/html; charset=utf-8',
+    '.css': 'text/css',
+    '.js': 'text/javascript',
+    '.svg': 'image/svg+xml',
+    '.png': 'image/png',
+  };
   const server = createServer((request, response) => {
     const name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname).slice(prefix.length);
     const path = join(site, name);
@@ -101,7 +113,8 @@ async function checkSearch(browser, base) {
 }
 
 for (const page of pages) checkLinks(page);
-for (const [name, text] of texts) if (/(url\(|@import|src=)["']?(https?:)?\/\//.test(text)) find(name, 'loads a foreign resource');
+for (const [name, text] of texts)
+  if (/(url\(|@import|src=)["']?(https?:)?\/\//.test(text)) find(name, 'loads a foreign resource');
 await checkHtml();
 
 const server = await serve();
@@ -109,14 +122,21 @@ const base = `http://127.0.0.1:${server.address().port}${prefix}`;
 const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const browser = await puppeteer.launch({ executablePath, args: ['--no-sandbox'] });
 const todo = pages.filter((name) => name.includes(part));
-await Promise.all(cpus().slice(0, 4).map(async () => {
-  const tab = await browser.newPage();
-  let current;
-  tab.on('request', (request) => request.url().startsWith(base) || find(current, `requests ${request.url()}`));
-  tab.on('pageerror', (error) => find(current, error.message));
-  tab.on('response', (response) => response.status() >= 400 && find(current, `${response.url()} is ${response.status()}`));
-  while ((current = todo.shift())) await checkPage(browser, tab, base, current);
-}));
+await Promise.all(
+  cpus()
+    .slice(0, 4)
+    .map(async () => {
+      const tab = await browser.newPage();
+      let current;
+      tab.on('request', (request) => request.url().startsWith(base) || find(current, `requests ${request.url()}`));
+      tab.on('pageerror', (error) => find(current, error.message));
+      tab.on(
+        'response',
+        (response) => response.status() >= 400 && find(current, `${response.url()} is ${response.status()}`),
+      );
+      while ((current = todo.shift())) await checkPage(browser, tab, base, current);
+    }),
+);
 await checkSearch(browser, base);
 await checkSearch(browser, pathToFileURL(`${site}/`).href);
 await browser.close();

@@ -11,7 +11,13 @@ const classes = {
   keyword: ['keyword', 'storage'],
   operator: ['keyword.operator', 'punctuation'],
   type: ['support.class', 'support.type', 'entity.name.type'],
-  property: ['support.type.property', 'support.type.property-name', 'variable.other.member', 'entity.name.tag', 'entity.name.label'],
+  property: [
+    'support.type.property',
+    'support.type.property-name',
+    'variable.other.member',
+    'entity.name.tag',
+    'entity.name.label',
+  ],
   function: ['entity.name.function', 'support.function'],
   changed: ['markup.changed'],
   invalid: ['invalid'],
@@ -22,7 +28,10 @@ const theme = {
   type: 'light',
   fg: '#000000',
   bg: '#ffffff',
-  settings: Object.values(classes).map((scope, i) => ({ scope, settings: { foreground: `#00000${(i + 1).toString(16)}` } })),
+  settings: Object.values(classes).map((scope, i) => ({
+    scope,
+    settings: { foreground: `#00000${(i + 1).toString(16)}` },
+  })),
 };
 
 const escape = (text) => text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
@@ -34,7 +43,7 @@ function guess(text) {
   return /^(sdlc|apt|cat|cd|cmake|cp|for|mkdir|oiiotool|\.\/dev) /.test(text) ? 'sh' : 'text';
 }
 
-/** `(text, words) => HTML`, where `words` are those after the opening fence; `linkOf(code)` is the page of a message. */
+/** `(text, words) => HTML`, where `words` are those after the fence; `linkOf(code)` is the page of a message. */
 export async function makeHighlighter(root, languages) {
   const grammar = (path, name) => ({ ...JSON.parse(readFileSync(join(root, path), 'utf8')), name });
   const scene = grammar('editors/vscode/syntaxes/scene.tmLanguage.json', 'scene');
@@ -49,14 +58,24 @@ export async function makeHighlighter(root, languages) {
   };
   return (text, words, linkOf = () => undefined) => {
     const lang = languageOf(text, words);
-    const html = highlighter.codeToTokensBase(text.trimEnd(), { lang, theme: 'classes' }).map((line) =>
-      line.map(({ content, color }) => {
-        const name = names[Number(`0x${(color ?? '#0').slice(1)}`) - 1];
-        const code = escape(content);
-        return name ? `<span class="${name}">${code}</span>` : code;
-      }).join('')).join('\n');
-    const linked = lang !== 'message' ? html : html.replace(/\[([EWS]\d{3})\]/g, (all, code) =>
-      linkOf(code) ? `[<a href="${linkOf(code)}">${code}</a>]` : all);
+    const html = highlighter
+      .codeToTokensBase(text.trimEnd(), { lang, theme: 'classes' })
+      .map((line) =>
+        line
+          .map(({ content, color }) => {
+            const name = names[Number(`0x${(color ?? '#0').slice(1)}`) - 1];
+            const code = escape(content);
+            return name ? `<span class="${name}">${code}</span>` : code;
+          })
+          .join(''),
+      )
+      .join('\n');
+    const linked =
+      lang !== 'message'
+        ? html
+        : html.replace(/\[([EWS]\d{3})\]/g, (all, code) =>
+            linkOf(code) ? `[<a href="${linkOf(code)}">${code}</a>]` : all,
+          );
     return `<pre tabindex="0"><code>${linked}</code></pre>`;
   };
 }

@@ -6,9 +6,14 @@ import { chartOf } from './charts.js';
 import { outputOf, relative, resolve, siteLink } from './sources.js';
 
 /** The anchor that GitHub generates for a heading. */
-const anchorOf = (title) => title.toLowerCase().replace(/[^\p{L}\p{N}\p{M} _-]/gu, '').replaceAll(' ', '-');
+const anchorOf = (title) =>
+  title
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}\p{M} _-]/gu, '')
+    .replaceAll(' ', '-');
 
-const textOf = (inline) => inline.children.map((token) => (token.type.endsWith('break') ? ' ' : token.content)).join('');
+const textOf = (inline) =>
+  inline.children.map((token) => (token.type.endsWith('break') ? ' ' : token.content)).join('');
 
 /** Width and height of a PNG file, from its header. */
 function sizeOf(path) {
@@ -30,7 +35,7 @@ function prepare(state) {
     const style = token.attrGet('style');
     if (style) token.attrs = [['class', style.replace('text-align:', '')]];
   });
-  for (let i; (i = state.tokens.findIndex((token) => token.type === 'thead_open')) >= 0;) {
+  for (let i; (i = state.tokens.findIndex((token) => token.type === 'thead_open')) >= 0; ) {
     const end = state.tokens.findIndex((token) => token.type === 'thead_close');
     const head = state.tokens.slice(i, end + 1);
     const isEmpty = head.every((token) => token.content === '');
@@ -62,7 +67,9 @@ export function examine(md, source, text) {
     }
     for (const child of token.children ?? []) links.push(child.attrGet('href') ?? child.attrGet('src') ?? []);
   });
-  const blocks = tokens.filter((token) => token.type === 'fence').map(({ info, content }) => ({ words: info.split(' '), content }));
+  const blocks = tokens
+    .filter((token) => token.type === 'fence')
+    .map(({ info, content }) => ({ words: info.split(' '), content }));
   return { title: sections[0].title, sections, blocks, links: links.flat() };
 }
 
@@ -82,7 +89,8 @@ export function makeMarkdown(root, highlight, pages) {
     const name = /\.\w+$/.test(words[2] ?? '') ? words[2] : '';
     const label = [name, isWrong && 'with a mistake'].filter(Boolean).join(', ');
     const caption = label && `<figcaption>${md.utils.escapeHtml(label)}</figcaption>`;
-    return `<figure class="code${isWrong ? ' wrong' : ''}">${caption}${highlight(tokens[i].content, words, messageLink(env))}</figure>\n`;
+    const code = highlight(tokens[i].content, words, messageLink(env));
+    return `<figure class="code${isWrong ? ' wrong' : ''}">${caption}${code}</figure>\n`;
   };
   rules.code_block = (tokens, i, options, env) =>
     `<figure class="code">${highlight(tokens[i].content, [], messageLink(env))}</figure>\n`;
@@ -106,7 +114,8 @@ export function makeMarkdown(root, highlight, pages) {
   };
   rules.heading_close = (tokens, i) => {
     const id = tokens[i - 2].attrGet('id');
-    const anchor = tokens[i].tag === 'h1' ? '' : `<a class="anchor" href="#${id}" aria-hidden="true" tabindex="-1">#</a>`;
+    const anchor =
+      tokens[i].tag === 'h1' ? '' : `<a class="anchor" href="#${id}" aria-hidden="true" tabindex="-1">#</a>`;
     return `${anchor}</${tokens[i].tag}>\n`;
   };
   rules.table_open = (tokens, i, options, env) =>

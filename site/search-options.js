@@ -2,5 +2,12 @@
 export const options = {
   fields: ['title', 'heading', 'text'],
   storeFields: ['title', 'heading', 'href'],
-  searchOptions: { boost: { title: 3, heading: 4 }, prefix: true, fuzzy: (term) => (term.length > 4 ? 0.2 : 0), combineWith: 'AND' },
+  searchOptions: {
+    boost: { title: 3, heading: 4 },
+    // What a reader is after is rarely history.
+    boostDocument: (id, term, { href }) => (/^(decisions\/|changelog)/.test(href) ? 0.3 : 1),
+    prefix: true,
+    fuzzy: (term) => (term.length > 4 ? 0.2 : 0),
+    combineWith: 'AND',
+  },
 };

@@ -47,7 +47,12 @@ export function collect(root, examine) {
   const pages = new Map();
   const files = new Set();
   const todo = ['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'THIRD_PARTY.md'];
-  todo.push(...readdirSync(join(root, 'docs'), { recursive: true }).map((name) => `docs/${name}`).filter(isPage).sort());
+  todo.push(
+    ...readdirSync(join(root, 'docs'), { recursive: true })
+      .map((name) => `docs/${name}`)
+      .filter(isPage)
+      .sort(),
+  );
   while (todo.length > 0) {
     const source = todo.shift();
     if (pages.has(source) || files.has(source)) continue;
@@ -77,7 +82,8 @@ export function navigation(pages) {
   const take = (pattern) => {
     const expression = new RegExp(`^${pattern.replaceAll('.', '\\.').replaceAll('*', '[^/]*')}$`);
     const found = [...rest].filter((source) => expression.test(source));
-    if (found.length === 0 && !pattern.includes('*')) throw new Error(`site/navigation.js: there is no page ${pattern}`);
+    if (found.length === 0 && !pattern.includes('*'))
+      throw new Error(`site/navigation.js: there is no page ${pattern}`);
     found.forEach((source) => rest.delete(source));
     return found.map((source) => pages.get(source));
   };

@@ -21,17 +21,19 @@ function load() {
 }
 
 function show(hits) {
-  results.replaceChildren(...hits.slice(0, 12).map(({ title, heading, href }) => {
-    const link = document.createElement('a');
-    link.href = new URL(href, root);
-    link.append(heading || title);
-    const page = document.createElement('small');
-    page.textContent = heading ? title : '';
-    link.append(page);
-    const item = document.createElement('li');
-    item.append(link);
-    return item;
-  }));
+  results.replaceChildren(
+    ...hits.slice(0, 10).map(({ title, heading, href }) => {
+      const link = document.createElement('a');
+      link.href = new URL(href, root);
+      link.append(heading || title);
+      const page = document.createElement('small');
+      page.textContent = heading ? title : '';
+      link.append(page);
+      const item = document.createElement('li');
+      item.append(link);
+      return item;
+    }),
+  );
   results.hidden = hits.length === 0;
 }
 
