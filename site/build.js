@@ -140,6 +140,7 @@ for (const example of examples) copy(example.picture, `examples/${example.name}.
 copy(ball.picture, 'assets/ball.png');
 for (const name of ['site.css', 'icon.svg']) copy(join('assets', name), `assets/${name}`);
 await bundle({
+  absWorkingDir: process.cwd(),
   entryPoints: ['assets/search.js'],
   outfile: join(output, 'assets/search.js'),
   bundle: true,

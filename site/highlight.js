@@ -47,12 +47,13 @@ function guess(text) {
 export async function makeHighlighter(root, languages) {
   const grammar = (path, name) => ({ ...JSON.parse(readFileSync(join(root, path), 'utf8')), name });
   const scene = grammar('editors/vscode/syntaxes/scene.tmLanguage.json', 'scene');
-  const known = new Set(['sh', ...languages].filter((name) => name in bundledLanguages && name !== 'rust'));
+  const known = new Set(['sh', ...languages].filter((name) => name in bundledLanguages));
   const langs = [scene, grammar('site/message.tmLanguage.json', 'message'), ...known];
   const highlighter = await createHighlighter({ themes: [theme], langs });
   const languageOf = (text, [first, kind = '']) => {
     if (first === undefined) return guess(text);
-    if (kind.startsWith('scene')) return 'scene';
+    // GitHub does not know the language of scenes, so the pages name that of Rust.
+    if (first === 'rust') return 'scene';
     if (kind === 'message' || kind === 'session') return 'message';
     return ['scene', 'message'].includes(first) || known.has(first) ? first : 'text';
   };
