@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # usage: packaging/check.sh PACKAGES [PART...]
 #
-# Installs and uses each package (PART: deb, file, wheel, npm) of the folder PACKAGES, as `./dev package` wrote them, in an empty Debian 12 of its own,
-# and prints how many packages and megabytes each brings. It needs root and debootstrap, and some minutes. lintian
-# judges the Debian packages where it is installed. The status is not 0 if anything fails.
+# Installs and uses each package of the folder PACKAGES, as `./dev package` wrote them, in an empty Debian 12 of its
+# own, and prints how many packages and megabytes each brings. PART is deb, file, wheel or npm. It needs root and
+# debootstrap, and some minutes. lintian judges the Debian packages where it is installed. The status is not 0 if
+# anything fails.
 set -euo pipefail
 unset CDPATH
+source "$(dirname -- "${BASH_SOURCE[0]}")/debian.sh"
 packages=$(cd -P -- "$1" && pwd -P)
 shift
 (($#)) || set -- deb file wheel npm
@@ -18,16 +20,7 @@ leave() {
 }
 trap leave EXIT
 
-mirror=$(grep -rhE '^URIs:.*debian/?$' /etc/apt/sources.list.d/ | head -n 1 | sed 's/URIs: *//') || true
-debootstrap --variant=minbase bookworm "$empty" "${mirror:-http://deb.debian.org/debian}" >"$work/log"
-# Packages come from the host's mirror, with its certificates and proxies.
-rm -rf -- "$empty/etc/apt"
-cp -r /etc/apt /etc/ssl /etc/hosts /etc/resolv.conf "$empty/etc"
-mkdir -p "$empty/usr/local/share"
-cp -r /usr/local/share/ca-certificates "$empty/usr/local/share" 2>/dev/null || true
-cp -r /usr/share/keyrings "$empty/usr/share" 2>/dev/null || true
-settings=(HOME=/root DEBIAN_FRONTEND=noninteractive PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
-mapfile -t -O "${#settings[@]}" settings < <(env | grep -iE '^(https?_proxy|no_proxy|ssl_cert_file)=' || true)
+make_debian "$empty"
 
 now() { date +%s.%N; }
 # minus A B [UNIT]: A - B, in units of UNIT.
@@ -42,13 +35,12 @@ begin() {
   mkdir "$root/packages" "$root/work"
   find "$packages" -maxdepth 1 -type f -exec cp -t "$root/packages" {} +
   mount -t proc proc "$root/proc"
-  inside apt-get -qq update
+  inside "$root" apt-get -qq update
 }
 
-# inside COMMAND...: runs it in the Debian, in the folder /work.
-inside() { env -i "${settings[@]}" chroot "$root" sh -c 'cd /work && exec "$@"' sh "$@"; }
-shell() { inside sh -ec "$1"; }
-sizes() { inside dpkg-query -W -f='${Installed-Size}\n' | awk '{kb += $1} END {print NR, kb}'; }
+# shell COMMAND: runs it in the Debian.
+shell() { inside "$root" sh -ec "$1"; }
+sizes() { inside "$root" dpkg-query -W -f='${Installed-Size}\n' | awk '{kb += $1} END {print NR, kb}'; }
 
 # install COMMAND: runs it, and prints what it brought.
 install() {

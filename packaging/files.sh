@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
-# usage: packaging/files.sh SDLC VERSION RELEASE MAINTAINER FOLDER
+# usage: packaging/files.sh VERSION RELEASE MAINTAINER FOLDER COMMAND...
 #
 # Writes what packages have beside programs below FOLDER/PACKAGE, as below /usr/share: manual pages, completions,
 # copyright, changes, and the type of scene files. The same files at any time.
 set -euo pipefail
 unset CDPATH
 here=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
-sdlc=$(realpath -- "$1") version=$2 release=$3 maintainer=$4
+version=$1 release=$2 maintainer=$3 folder=$4
+shift 4
 changelog=$here/../CHANGELOG.md
 date=$(sed -n "s/^## $version - //p" "$changelog")
 [[ $date ]] || {
   echo "files.sh: CHANGELOG.md has no date of version $version" >&2
   exit 1
 }
-mkdir -p -- "$5"
-cd -- "$5"
+mkdir -p -- "$folder"
+cd -- "$folder"
 
 put() { install -D -m 644 -- /dev/stdin "$1"; }
 
@@ -26,13 +27,13 @@ for package in sdlc sdlc-openimageio; do
     gzip -9n | put "$package/doc/$package/changelog.Debian.gz"
 done
 cd sdlc
-"$sdlc" man | gzip -9n | put man/man1/sdlc.1.gz
-"$sdlc" complete -- 1 sdlc '' | cut -f1 | while read -r command; do
-  "$sdlc" man "$command" | gzip -9n | put "man/man1/sdlc-$command.1.gz"
+"$@" man | gzip -9n | put man/man1/sdlc.1.gz
+"$@" complete -- 1 sdlc '' | cut -f1 | while read -r command; do
+  "$@" man "$command" | gzip -9n | put "man/man1/sdlc-$command.1.gz"
 done
-"$sdlc" completions bash | put bash-completion/completions/sdlc
-"$sdlc" completions zsh | put zsh/vendor-completions/_sdlc
-"$sdlc" completions fish | put fish/vendor_completions.d/sdlc.fish
+"$@" completions bash | put bash-completion/completions/sdlc
+"$@" completions zsh | put zsh/vendor-completions/_sdlc
+"$@" completions fish | put fish/vendor_completions.d/sdlc.fish
 put mime/packages/sdlc.xml <"$here/sdlc.xml"
 put applications/sdlc.desktop <"$here/sdlc.desktop"
 put icons/hicolor/scalable/apps/sdlc.svg <"$here/../editors/vscode/icons/scene-light.svg"
