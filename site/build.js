@@ -139,6 +139,7 @@ for (const source of new Set(files)) {
 for (const example of examples) copy(example.picture, `examples/${example.name}.png`);
 copy(ball.picture, 'assets/ball.png');
 for (const name of ['site.css', 'icon.svg']) copy(join('assets', name), `assets/${name}`);
+copy('../node_modules/minisearch/LICENSE.txt', 'assets/minisearch-license.txt');
 await bundle({
   absWorkingDir: process.cwd(),
   entryPoints: ['assets/search.js'],
