@@ -50,6 +50,6 @@ export const groups = [
       'grammar/README*.md',
     ],
   },
-  { title: 'The project', pages: ['CHANGELOG.md', 'CONTRIBUTING.md', 'THIRD_PARTY.md'] },
+  { title: 'The project', pages: ['CHANGELOG.md', 'CONTRIBUTING.md', 'SECURITY.md', 'THIRD_PARTY.md'] },
 ];
 export const lastGroup = 'More';
