@@ -2,7 +2,7 @@
 # usage: packaging/files.sh VERSION RELEASE MAINTAINER FOLDER COMMAND...
 #
 # Writes what packages have beside programs below FOLDER/PACKAGE, as below /usr/share: manual pages, completions,
-# copyright, changes, and the type of scene files. The same files at any time.
+# copyright, changes, documentation, and the type of scene files. The same files at any time.
 set -euo pipefail
 unset CDPATH
 here=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
@@ -37,3 +37,9 @@ done
 put mime/packages/sdlc.xml <"$here/sdlc.xml"
 put applications/sdlc.desktop <"$here/sdlc.desktop"
 put icons/hicolor/scalable/apps/sdlc.svg <"$here/../editors/vscode/icons/scene-light.svg"
+
+# The examples, and the documentation without its pictures.
+(cd -- "$here/.." && find docs examples -type f ! -path 'docs/images/*' ! -path 'docs/reports/*') | sort |
+  while read -r file; do
+    put "doc/sdlc/$file" <"$here/../$file"
+  done

@@ -15,10 +15,9 @@ CodecModule module_of(ImageFormat format) noexcept {
 
 std::filesystem::path find_codec(CodecModule module) {
   if (module == CodecModule::Standard) return {};
-  throw IoError(
-      "load", "OpenEXR and OpenImageIO",
-      "this program has no shared libraries, and only the formats PNG and PPM; the Debian "
-      "packages of sdlc have the others");
+  throw IoError("load", "OpenEXR and OpenImageIO",
+                "they are for pictures that are not PNG or PPM, and this program has no shared "
+                "libraries; the Debian packages of sdlc have them");
 }
 
 ImageCodec* load_codec(const std::filesystem::path& /*file*/) { return sdlc_image_codec().codec; }

@@ -1,2 +1,3 @@
 #!/usr/bin/env node
-require("./run.js")(["lint", ...process.argv.slice(2)]);
+const args = process.argv.slice(2);
+require("./run.js")(args[0] === "--version" ? args : ["lint", ...args]);

@@ -8,8 +8,8 @@ module.exports = (args) => {
     program = require.resolve(`${name}/bin/sdlc`);
   } catch {
     console.error(
-      `sdlc-lint: the package ${name} is missing: either there is no sdlc for this platform, ` +
-        "or optional packages are not installed (npm install --include=optional)"
+      `sdlc-lint: the package ${name}, which has the program, is missing: install it too, or ` +
+        "npm install --include=optional; there is none for other systems than Linux"
     );
     process.exit(2);
   }
