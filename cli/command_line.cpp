@@ -101,6 +101,7 @@ OptionInfo info_of(CLI::Option& option) {
   info.description = option.get_description();
   info.is_positional = option.get_positional();
   info.is_required = option.get_required();
+  info.is_repeated = option.get_items_expected_max() > 1;
   info.names = flag_names(option);
   if (info.is_positional) info.names.push_back(option.get_name(true));
   if (option.get_items_expected_max() > 0) {
@@ -254,6 +255,6 @@ bool CommandLine::parse(std::span<const std::string> arguments) {
   }
 }
 
-std::string CommandLine::help() const { return chosen_command(*app_).help(); }
+std::string CommandLine::help() const { return app_->help(); }
 
 }  // namespace sdlc::cli

@@ -63,6 +63,7 @@ struct OptionInfo {
   std::string description;
   bool is_positional = false;
   bool is_required = false;
+  bool is_repeated = false;  ///< takes any number of values
 };
 
 /// The same of a command, or of the program.

@@ -64,7 +64,8 @@ std::string synopsis(const std::string& name, const CommandInfo& command) {
   text += " [\\fIOPTION\\fR]...";
   for (const OptionInfo& option : command.options) {
     if (!option.is_positional) continue;
-    const std::string value = fmt::format("\\fI{}\\fR", roff(option.names.front()));
+    const std::string value = fmt::format("\\fI{}\\fR{}", roff(option.names.front()),
+                                          option.is_repeated ? "..." : "");
     text += option.is_required ? " " + value : " [" + value + "]";
   }
   return text + "\n";
