@@ -34,5 +34,7 @@ inside "$root" cmake -S /work -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_TOOLCHAIN_FILE=/work/cmake/aarch64-linux-gnu.cmake
 SOURCE_DATE_EPOCH=$(git -C "$source_folder" log -1 --format=%ct)
 inside "$root" cmake --build /build --target sdlc package_files sdlc_static "$@"
-inside "$root" env SOURCE_DATE_EPOCH="$SOURCE_DATE_EPOCH" cmake --build /build --target archives package
+inside "$root" env SOURCE_DATE_EPOCH="$SOURCE_DATE_EPOCH" cmake --build /build --target archives
+# The target `package` would build everything.
+inside "$root" env SOURCE_DATE_EPOCH="$SOURCE_DATE_EPOCH" cpack --config /build/CPackConfig.cmake
 for test; do inside "$root" qemu-aarch64-static "/build/test_bin/$test"; done
