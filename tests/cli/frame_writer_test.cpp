@@ -69,9 +69,9 @@ TEST_F(PendingFramesTest, AreInterruptedWhenTheyAreCanceled) {
         while (!monitor.cancel) std::this_thread::yield();
       },
       1);
+  has_begun.wait();  // else the other could be the first
   frames.add(
       {.index = 1}, [&](RenderedFrame&, render::RenderMonitor&) { is_rendered = true; }, 1);
-  has_begun.wait();
   EXPECT_FALSE(frames.wait(std::chrono::milliseconds(0)));
   frames.cancel();
   EXPECT_EQ(frames.take().second, ExitCode::Interrupted);
