@@ -5,7 +5,10 @@
 make_debian() {
   local mirror
   mirror=$(grep -rhE '^URIs:.*debian/?$' /etc/apt/sources.list.d/ | head -n 1 | sed 's/URIs: *//') || true
-  debootstrap --variant=minbase bookworm "$1" "${mirror:-http://deb.debian.org/debian}" >"$1.log"
+  debootstrap --variant=minbase bookworm "$1" "${mirror:-http://deb.debian.org/debian}" >"$1.log" || {
+    tail "$1.log" >&2
+    return 1
+  }
   rm -rf -- "$1/etc/apt" "$1.log"
   cp -r /etc/apt /etc/ssl /etc/hosts /etc/resolv.conf "$1/etc"
   mkdir -p "$1/usr/local/share"

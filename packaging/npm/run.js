@@ -1,4 +1,5 @@
 // Runs the program that the package of this platform contains, and ends as it ends.
+const os = require("node:os");
 const { spawnSync } = require("node:child_process");
 
 module.exports = (args) => {
@@ -19,5 +20,6 @@ module.exports = (args) => {
     process.exit(2);
   }
   if (result.signal) process.kill(process.pid, result.signal);
-  process.exit(result.status);
+  // Not reached after most signals; as the first process of a container, after all.
+  process.exit(result.status ?? 128 + os.constants.signals[result.signal]);
 };

@@ -6,10 +6,11 @@
 
 namespace sdlc::render {
 
-/// Calls body(begin, end) for each range of `grain` consecutive indices below `count`, the last one
-/// shorter, in any order, and returns when all calls have returned. The calls are made by the
-/// calling thread and by those of its Workers; without Workers, by a thread per processor. A body
-/// may call this function. After an exception no further ranges begin; the first one is rethrown.
+/// Calls body(begin, end) for each range of `grain` (at least 1) consecutive indices below `count`,
+/// the last one shorter, in any order, and returns when all calls have returned. The calls are made
+/// by the calling thread and by those of its Workers; without Workers, by a thread per processor. A
+/// body may call this function. After an exception no further ranges begin; one of them is
+/// rethrown.
 void parallel_ranges(std::size_t count, std::size_t grain,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 

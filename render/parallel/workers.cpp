@@ -64,20 +64,20 @@ thread_local Pool* used_pool = nullptr;
 /// left takes those of the loop that started last, which is most often the innermost one.
 class Pool {
  public:
-  explicit Pool(int threads) {
-    try {
-      while (static_cast<int>(helpers_.size()) < threads - 1) {
-        helpers_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
-      }
-    } catch (const std::system_error&) {  // as many as the system allows
-    }
+  explicit Pool(int threads) : threads_(threads) {}
+  ~Pool() {
+    // Together: each one that stops wakes all.
+    for (std::jthread& helper : helpers_) helper.request_stop();
   }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
 
-  int threads() const noexcept { return static_cast<int>(helpers_.size()) + 1; }
+  int threads() const noexcept { return threads_; }
 
   void run(std::size_t count, std::size_t grain, const Body& body) {
     Loop loop(count, grain, body);
     std::unique_lock lock(mutex_);
+    if (helpers_.empty()) start_helpers();
     loop.number = ++started_;
     loops_.push_back(&loop);
     lock.unlock();
@@ -86,8 +86,8 @@ class Pool {
     lock.lock();
     std::erase(loops_, &loop);  // from now on nobody joins it
     note(failure, loop);
-    // Its helpers may wait for ranges of loops inside it, so help them. Other loops could keep this
-    // thread for longer than its own takes.
+    // Its helpers may wait for ranges of loops inside it, so help them. Loops that started earlier
+    // could keep this thread for longer than its own takes.
     while (loop.helpers > 0) {
       if (Loop* inner = last_loop_after(loop.number)) {
         help(*inner, lock);
@@ -99,6 +99,16 @@ class Pool {
   }
 
  private:
+  /// With the first loop: where there is none, threads would cost time for nothing.
+  void start_helpers() {
+    try {
+      while (static_cast<int>(helpers_.size()) < threads_ - 1) {
+        helpers_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+      }
+    } catch (const std::system_error&) {  // as many as the system allows
+    }
+  }
+
   void serve(const std::stop_token& stop) {
     used_pool = this;
     std::unique_lock lock(mutex_);
@@ -129,6 +139,7 @@ class Pool {
     if (failure && !loop.failure) loop.failure = failure;
   }
 
+  const int threads_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::vector<Loop*> loops_;
@@ -149,11 +160,11 @@ void parallel_ranges(std::size_t count, std::size_t grain, const Body& body) {
     if (count > 0) body(0, count);
     return;
   }
-  if (used_pool == nullptr) {
-    static Pool shared(thread_count(0));
-    shared.run(count, grain, body);
-  } else {
+  if (used_pool != nullptr) {
     used_pool->run(count, grain, body);
+  } else {
+    // Not kept: the threads of a render come out of the same number.
+    Workers(0).run([&] { parallel_ranges(count, grain, body); });
   }
 }
 

@@ -9,8 +9,7 @@ class Pool;
 /// The threads of one render.
 class Workers {
  public:
-  /// `threads` as in RenderSettings. Starts them all, so that none starts while time is measured;
-  /// fewer if the system refuses.
+  /// `threads` as in RenderSettings. They start with the first loop; fewer if the system refuses.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;

@@ -133,7 +133,7 @@ class ContinuousIntegration(unittest.TestCase):
     def test_the_action_lints_the_paths(self):
         (action,) = self.read("action.yml")
         (step,) = action["runs"]["steps"]
-        output, status = self.run_script(step["run"], PATHS="a b/c $(exit)", VERSION=action["inputs"]["version"]["default"])
+        output, status = self.run_script(step["run"], PATHS="\na b/c\n$(exit)\n", VERSION=action["inputs"]["version"]["default"])
         self.assertEqual(output, f"<--yes><sdlc-lint@{VERSION}><--format><github><--><a><b/c><$(exit)>")
         self.assertEqual(status, 3)
         self.assertEqual(step["env"], {"PATHS": "${{ inputs.paths }}", "VERSION": "${{ inputs.version }}"})
