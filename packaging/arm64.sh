@@ -8,30 +8,30 @@ set -euo pipefail
 unset CDPATH
 source "$(dirname -- "${BASH_SOURCE[0]}")/debian.sh"
 source_folder=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-root=$1
+root=${1:?usage: packaging/arm64.sh FOLDER [TEST...]}
 shift
 tools=(g++ cmake ninja-build pkg-config git python3 dpkg-dev file crossbuild-essential-arm64 qemu-user-static
   tao-pegtl-dev libcli11-dev nlohmann-json3-dev libboost-dev)
 libraries=(libpng-dev libopenexr-dev libfmt-dev zlib1g-dev libgtest-dev libgmock-dev libhwy-dev libtomlplusplus-dev
   libopenimageio-dev)
 
-if [[ ! -d $root/work ]]; then
+if [[ ! -d $root/build ]]; then
   mkdir -p -- "$root"
   make_debian "$root"
-  mkdir "$root/work" "$root/build"
+  mkdir "$root/build"
 fi
-mounts=(/proc /dev /work)
+mounts=(/proc /dev /mnt)
 leave() { for folder in "${mounts[@]}"; do umount "$root$folder" 2>/dev/null || true; done; }
 trap leave EXIT
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
-mount --bind "$source_folder" "$root/work"
+mount --bind "$source_folder" "$root/mnt"
 inside "$root" dpkg --add-architecture arm64
 inside "$root" apt-get -qq update
 inside "$root" apt-get -qq -y install --no-install-recommends "${tools[@]}" "${libraries[@]/%/:arm64}" >/dev/null
 inside "$root" git config --global --replace-all safe.directory '*'
-inside "$root" cmake -S /work -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DCMAKE_TOOLCHAIN_FILE=/work/cmake/aarch64-linux-gnu.cmake
+inside "$root" cmake -S /mnt -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DCMAKE_TOOLCHAIN_FILE=/mnt/cmake/aarch64-linux-gnu.cmake
 SOURCE_DATE_EPOCH=$(git -C "$source_folder" log -1 --format=%ct)
 inside "$root" cmake --build /build --target sdlc package_files sdlc_static "$@"
 inside "$root" env SOURCE_DATE_EPOCH="$SOURCE_DATE_EPOCH" cmake --build /build --target archives

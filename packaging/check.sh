@@ -8,7 +8,7 @@
 set -euo pipefail
 unset CDPATH
 source "$(dirname -- "${BASH_SOURCE[0]}")/debian.sh"
-packages=$(cd -P -- "$1" && pwd -P)
+packages=$(cd -P -- "${1:?usage: packaging/check.sh PACKAGES [PART...]}" && pwd -P)
 shift
 (($#)) || set -- deb file wheel npm
 work=$(mktemp -d /var/tmp/sdlc-check.XXXXXX)
@@ -32,7 +32,7 @@ begin() {
   umount "$root/proc" 2>/dev/null || true
   rm -rf -- "$root"
   cp -a -- "$empty" "$root"
-  mkdir "$root/packages" "$root/work"
+  mkdir "$root/packages"
   find "$packages" -maxdepth 1 -type f -exec cp -t "$root/packages" {} +
   mount -t proc proc "$root/proc"
   inside "$root" apt-get -qq update
@@ -71,7 +71,7 @@ check_deb() {
   use sdlc
   shell 'sdlc render ball.scene -o ball.exr --width 64; ! sdlc render ball.scene -o ball.jpg 2>error; grep -q sdlc-openimageio error'
   shell 'test -s /usr/share/man/man1/sdlc-render.1.gz && test -s /usr/share/bash-completion/completions/sdlc'
-  shell 'rm -rf /work/*; apt-get purge -y --auto-remove sdlc >/dev/null 2>&1; find / -xdev | sort >/packages/after'
+  shell 'rm -rf /mnt/*; apt-get purge -y --auto-remove sdlc >/dev/null 2>&1; find / -xdev | sort >/packages/after'
   if shell 'diff /packages/before /packages/after | grep "^>" | grep -vE " /(packages|proc|var/(cache|lib|log)|etc/ld.so.cache)"'; then
     echo '  left behind, see above'
     return 1
@@ -85,13 +85,13 @@ check_file() {
   tar -C "$work" -xzf "$packages"/sdlc-*-linux-*.tar.gz
   file=$(echo "$work"/sdlc-*/bin/sdlc)
   ! ldd "$file" >/dev/null 2>&1 || { echo "  it is a dynamic executable" && exit 1; }
-  mkdir -p "$work/nothing/work"
+  mkdir -p "$work/nothing/mnt"
   cp -- "$file" "$work/nothing/sdlc"
-  alone() { (cd "$work/nothing/work" && env -i "$(command -v chroot)" "$work/nothing" /sdlc "$@"); }
-  alone new /work/ball
-  alone lint /work/ball.scene
-  alone fmt --check /work/ball.scene
-  alone render /work/ball.scene --error 2% -o /work/ball.png
+  alone() { (cd "$work/nothing/mnt" && env -i "$(command -v chroot)" "$work/nothing" /sdlc "$@"); }
+  alone new /mnt/ball
+  alone lint /mnt/ball.scene
+  alone fmt --check /mnt/ball.scene
+  alone render /mnt/ball.scene --error 2% -o /mnt/ball.png
   alone explain E104 >/dev/null
   alone schema >/dev/null
   printf '  %s MB\n' "$(minus "$(stat -c %s "$file")" 0 1000000)"
@@ -100,8 +100,8 @@ check_file() {
 check_wheel() {
   begin "Wheel"
   install 'apt-get install -y --no-install-recommends python3-venv'
-  install 'python3 -m venv /work/v && /work/v/bin/pip install -q --no-index /packages/*.whl'
-  use /work/v/bin/sdlc
+  install 'python3 -m venv /mnt/v && /mnt/v/bin/pip install -q --no-index /packages/*.whl'
+  use /mnt/v/bin/sdlc
 }
 
 check_npm() {

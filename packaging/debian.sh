@@ -16,9 +16,9 @@ make_debian() {
   cp -r /usr/share/keyrings "$1/usr/share" 2>/dev/null || true
 }
 
-# inside FOLDER COMMAND...: runs it in the Debian, in its folder /work.
+# inside FOLDER COMMAND...: runs it in the Debian, in its folder /mnt.
 inside() {
   local settings=(HOME=/root DEBIAN_FRONTEND=noninteractive PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin)
   mapfile -t -O "${#settings[@]}" settings < <(env | grep -iE '^(https?_proxy|no_proxy|ssl_cert_file)=' || true)
-  env -i "${settings[@]}" "$(command -v chroot)" "$1" sh -c 'cd /work && exec "$@"' sh "${@:2}"
+  env -i "${settings[@]}" "$(command -v chroot)" "$1" sh -c 'cd /mnt && exec "$@"' sh "${@:2}"
 }

@@ -19,7 +19,7 @@ struct FlipMap {
 inline constexpr double kFlipPixelsPerDegree = 67.0206;
 
 /// Both pictures hold linear radiance and have the same size; values are clamped to [0, 1], as a
-/// display does. Runs on the threads of the current arena; the result does not depend on their
+/// display does. Runs on the threads of the caller; the result does not depend on their
 /// number.
 FlipMap flip(const Picture& picture, const Picture& reference,
              double pixels_per_degree = kFlipPixelsPerDegree);

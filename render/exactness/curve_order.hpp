@@ -39,7 +39,7 @@ class Crowd : public CameraView {
 /// Returns the spheres of a crowd sorted along a space-filling curve, separately for each size
 /// class (powers of 8). Spheres at practically the same position are sorted by radius, then index.
 /// O(n) time if few share a position; 16 bytes per sphere in addition to the result. Uses all
-/// threads of the current arena; the result does not depend on their number.
+/// threads of the caller; the result does not depend on their number.
 ///
 /// The curve is a Morton curve ("A computer oriented geodetic data base", 1966) with a different
 /// order of axes: every bit of a key halves the longest side of the cells, so cells are nearly

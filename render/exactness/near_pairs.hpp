@@ -53,7 +53,7 @@ inline constexpr double kBriefly = 1.0 / 100;
 ///
 /// Sorts the spheres along a space-filling curve, separately by size, into leaves of sixteen, and
 /// tests each leaf against the boxes of the others: O(n log n) time, about 30 bytes per sphere in
-/// addition to the result. Uses all threads of the current arena.
+/// addition to the result. Uses all threads of the caller.
 std::optional<std::vector<SpherePair>> find_near_pairs(
     const CameraView& view, const Nearness& nearness, std::span<const std::uint32_t> left_out = {});
 

@@ -21,7 +21,7 @@ class PictureDenoiser {
       sizeof(PixelFeatures) + 18 * sizeof(float) + sizeof(DenoisedError) + sizeof(LinearRgb);
 
   /// Traces camera rays for the features of the first surfaces. They are not those of the picture's
-  /// paths, as features must be independent of the samples. On the threads of the current arena,
+  /// paths, as features must be independent of the samples. On the threads of the caller,
   /// and for `threads` of them.
   PictureDenoiser(const PreparedScene& scene, const RenderSettings& settings, int threads,
                   RenderMonitor& monitor);

@@ -15,7 +15,7 @@
 
 namespace sdlc::render {
 
-/// Traces the pixels of a picture tile by tile, on all threads of the current arena. A tile is a
+/// Traces the pixels of a picture tile by tile, on all threads of its Workers. A tile is a
 /// run of pixels, long enough to keep all lanes busy, and short enough to keep all threads busy.
 class PictureTracer {
  public:
