@@ -140,7 +140,7 @@ class CompareJob {
     if (options_.output == kStandardStream) {
       throw UsageError("-o -: standard output is for the report; name a file, such as -o diff.png");
     }
-    format_ = picture_format(options_.output, "write");
+    format_ = output_format(options_.output);
     if (format_ == render::ImageFormat::Hdr) {
       throw render::IoError("write", options_.output,
                             "Radiance HDR cannot store negative values; use .exr");

@@ -197,7 +197,10 @@ class FarmPlanner {
     job_.task_seconds = options_.tasks ? 0 : options_.task_seconds;
     job_.image = options_.image;
     const fs::path picture = job_.folder / picture_pattern(job_);
-    const render::ImageFormat format = picture_format(picture, "write");
+    // Containers have a program of their own.
+    const render::ImageFormat format = job_.engine == FarmEngine::Kubernetes
+                                           ? picture_format(picture, "write")
+                                           : output_format(picture);
     render::check_picture_size(settings.width, settings.height, format, picture);
     check_aovs(options_.render.aovs, {{.path = picture, .format = format}}, settings);
     max_shards_ = max_farm_shards(settings);

@@ -225,6 +225,7 @@ class MergeJob {
 };
 
 ExitCode run_merge(const MergeOptions& options, Environment& env) {
+  check_formats(options.outputs);
   MergeRun run;
   // Films of several frames are pictures of their own.
   std::map<std::optional<int>, std::vector<std::string>> by_frame;

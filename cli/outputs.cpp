@@ -10,11 +10,13 @@
 
 #include "cli/frames.hpp"
 #include "cli/usage_error.hpp"
+#include "cli/video_writer.hpp"
 #include "lang/text/display_width.hpp"
 #include "lang/text/nearest_name.hpp"
 #include "lang/text/replace_all.hpp"
 #include "render/film/film_file.hpp"
 #include "render/image/atomic_file.hpp"
+#include "render/image/codec_loader.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
@@ -64,13 +66,13 @@ std::vector<Output> name_outputs(const OutputRequest& request, std::optional<int
     const std::string name = name_of_scene(given, request.input);
     Output& output = outputs.emplace_back(Output{.path = numbered(name, frame)});
     output.is_film = is_film_name(name);
-    if (!output.is_film) output.format = picture_format(name, "write");
+    if (!output.is_film) output.format = output_format(name);
   }
   if (!outputs.empty() || request.has_videos) return outputs;
   const auto name = default_picture(request.of_scene, request.input, frame);
   if (!name) throw UsageError("a scene from `-` requires -o OUT or --stdin-filename NAME");
   return {{.path = *name,
-           .format = picture_format(*name, "write"),
+           .format = output_format(*name),
            .may_make_folders = !request.of_scene.empty()}};
 }
 
@@ -115,6 +117,24 @@ render::ImageFormat picture_format(const fs::path& path, const std::string& acti
   throw render::IoError(
       action, path,
       render::refusal_of_name(path) + lang::did_you_mean(written, render::image_extensions()));
+}
+
+render::ImageFormat output_format(const fs::path& path) {
+  const render::ImageFormat format = picture_format(path, "write");
+  try {
+    render::check_image_codec(format);
+  } catch (const render::IoError& missing) {
+    throw render::IoError("write", path, missing.what());
+  }
+  return format;
+}
+
+void check_formats(const std::vector<std::string>& outputs) {
+  for (const std::string& name : outputs) {
+    if (name != kStandardStream && !is_film_name(name) && !video_format_of(name)) {
+      output_format(name);
+    }
+  }
 }
 
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,

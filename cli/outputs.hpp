@@ -62,6 +62,13 @@ FilmState film_state(const std::filesystem::path& path);
 /// a suggested extension.
 render::ImageFormat picture_format(const std::filesystem::path& path, const std::string& action);
 
+/// The same for a picture to write. Throws IoError if this installation cannot write it.
+render::ImageFormat output_format(const std::filesystem::path& path);
+
+/// Checks the extensions of outputs before the work for them begins; those of videos are known only
+/// with the scene. Throws IoError.
+void check_formats(const std::vector<std::string>& outputs);
+
 /// The picture's file if the command line has none: that of the scene, otherwise the stem of the
 /// input with .png; nullopt if neither has a name. The frame number is inserted.
 std::optional<std::string> default_picture(const std::string& of_scene, const std::string& input,

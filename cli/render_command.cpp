@@ -114,6 +114,7 @@ ExitCode render_once(RenderOptions& options, RenderRun& run, StatusLine& line, E
 
 ExitCode run_render(RenderOptions& options, Environment& given_env) {
   if (options.files.size() > 1) check_several(options);
+  check_formats(options.outputs);
   StatusLine line(given_env.err);
   Environment env = given_env.with_err(line);
   std::optional<Preview> preview;

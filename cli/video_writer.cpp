@@ -6,8 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "cli/ffmpeg_writer.hpp"
 #include "cli/gif_writer.hpp"
+#include "render/image/codec_loader.hpp"
 #include "render/image/io_error.hpp"
 
 namespace sdlc::cli {
@@ -47,10 +50,21 @@ std::optional<VideoFormat> video_format_of(const fs::path& path) {
 bool is_only_video(VideoFormat format) noexcept { return row_of(format).is_only_video; }
 
 void check_video_writer(VideoFormat format, const fs::path& shown) {
-  if (format == VideoFormat::Gif || has_ffmpeg()) return;
-  throw render::IoError("write", shown,
-                        "this needs ffmpeg, which is not installed (Debian: apt install ffmpeg); "
-                        "-o NAME.gif and frames, -o NAME.####.png, need nothing");
+  if (has_ffmpeg()) return;
+  constexpr const char* kCause =
+      "this needs ffmpeg, which is not installed (Debian: apt install ffmpeg)";
+  if (format != VideoFormat::Gif) {
+    throw render::IoError("write", shown,
+                          fmt::format("{}; -o NAME.gif needs only the Debian package "
+                                      "sdlc-openimageio, frames, -o NAME.####.png, need nothing",
+                                      kCause));
+  }
+  try {
+    render::check_image_codec(render::ImageFormat::Gif);
+  } catch (const render::IoError& missing) {
+    throw render::IoError("write", shown,
+                          fmt::format("{} or OpenImageIO: {}", kCause, missing.what()));
+  }
 }
 
 std::unique_ptr<VideoWriter> open_video(const fs::path& path, VideoFormat format,

@@ -15,9 +15,10 @@ CodecModule module_of(ImageFormat format) noexcept {
 
 std::filesystem::path find_codec(CodecModule module) {
   if (module == CodecModule::Standard) return {};
-  throw IoError("load", "OpenEXR and OpenImageIO",
-                "they are for pictures that are not PNG or PPM, and this program has no shared "
-                "libraries; the Debian packages of sdlc have them");
+  throw IoError(
+      "load", "sdlc_openimageio.so",
+      "this program cannot load modules; it reads and writes PNG without alpha and PPM, "
+      "and the programs of the Debian packages sdlc and sdlc-openimageio the other formats");
 }
 
 ImageCodec* load_codec(const std::filesystem::path& /*file*/) { return sdlc_image_codec().codec; }

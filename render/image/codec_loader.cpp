@@ -44,6 +44,13 @@ class Loader {
     return *loading.get();
   }
 
+  void check() {
+    const std::lock_guard lock(mutex_);
+    if (is_found_ || loading_.valid()) return;
+    find_codec(module_);
+    is_found_ = true;
+  }
+
   void start(Preload when) {
     const std::lock_guard lock(mutex_);
     if (loading_.valid()) return;
@@ -68,6 +75,7 @@ class Loader {
   CodecModule module_;
   std::mutex mutex_;
   std::condition_variable wanted_;
+  bool is_found_ = false;
   bool is_wanted_ = false;
   bool is_abandoned_ = false;
   std::shared_future<ImageCodec*> loading_;
@@ -82,6 +90,8 @@ Loader& loader_of(CodecModule module) {
 }  // namespace
 
 ImageCodec& image_codec(CodecModule module) { return loader_of(module).codec(); }
+
+void check_image_codec(ImageFormat format) { loader_of(module_of(format)).check(); }
 
 void preload_image_codec(ImageFormat format, Preload when) {
   loader_of(module_of(format)).start(when);

@@ -21,6 +21,10 @@ CodecModule module_of(ImageFormat format) noexcept;
 ImageCodec& image_codec(CodecModule module);
 inline ImageCodec& image_codec(ImageFormat format) { return image_codec(module_of(format)); }
 
+/// Throws IoError if the module that writes a format is not installed, or cannot be loaded for want
+/// of threads. Does not load it.
+void check_image_codec(ImageFormat format);
+
 /// Loading the codec may take a quarter of a second of one core, which a quick render uses better
 /// for tracing; with a time limit the picture must not wait for it.
 enum class Preload {

@@ -206,6 +206,27 @@ Connections connections_for(const Scene& scene, const RenderSettings& settings,
   return connections_by_pilot(scene, settings, all);
 }
 
+Kernel kernel_and_lights_for(const Scene& scene, const RenderSettings& settings,
+                             const KernelRequest& request) {
+  Kernel kernel = kernel_for(scene, settings, request);
+  if (kernel.refusal) return kernel;
+  Connections connections = connections_for(scene, settings, kernel.exact_spheres);
+  kernel.may_have_casters = !choose_lights(scene, LightSampling::On).empty() &&
+                            !choose_casters(scene, kernel.exact_spheres).empty();
+  kernel.lights = std::move(connections.lights);
+  kernel.casters = std::move(connections.casters);
+  kernel.samples_at_metal = connections.at_metal && !kernel.lights.empty();
+  if (settings.light_sampling == LightSampling::Auto &&
+      !choose_lights(scene, LightSampling::On).empty()) {
+    const std::size_t count = kernel.lights.size();
+    const std::string lights = std::to_string(count) + (count == 1 ? " light" : " lights");
+    kernel.light_choice =
+        count == 0 ? "off" : (kernel.casters.empty() ? "on, " : "caustics, ") + lights;
+    if (kernel.samples_at_metal) kernel.light_choice += ", also at metal";
+  }
+  return kernel;
+}
+
 }  // namespace
 
 std::string describe(KernelObstacle obstacle) {
@@ -229,25 +250,9 @@ std::string_view name_of(const Kernel& kernel) noexcept {
 
 Kernel choose_kernel(const Scene& scene, const RenderSettings& settings,
                      const KernelRequest& request) {
-  // The search for gaps is parallel.
-  Kernel kernel =
-      Workers(settings.threads).run([&] { return kernel_for(scene, settings, request); });
-  if (kernel.refusal) return kernel;
-  Connections connections = connections_for(scene, settings, kernel.exact_spheres);
-  kernel.may_have_casters = !choose_lights(scene, LightSampling::On).empty() &&
-                            !choose_casters(scene, kernel.exact_spheres).empty();
-  kernel.lights = std::move(connections.lights);
-  kernel.casters = std::move(connections.casters);
-  kernel.samples_at_metal = connections.at_metal && !kernel.lights.empty();
-  if (settings.light_sampling == LightSampling::Auto &&
-      !choose_lights(scene, LightSampling::On).empty()) {
-    const std::size_t count = kernel.lights.size();
-    const std::string lights = std::to_string(count) + (count == 1 ? " light" : " lights");
-    kernel.light_choice =
-        count == 0 ? "off" : (kernel.casters.empty() ? "on, " : "caustics, ") + lights;
-    if (kernel.samples_at_metal) kernel.light_choice += ", also at metal";
-  }
-  return kernel;
+  return Workers(settings.threads).run([&] {
+    return kernel_and_lights_for(scene, settings, request);
+  });
 }
 
 std::size_t estimated_bytes(const Kernel& kernel, const Scene& scene) noexcept {

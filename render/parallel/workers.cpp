@@ -4,7 +4,6 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -27,12 +26,20 @@ using Body = std::function<void(std::size_t, std::size_t)>;
 class Loop {
  public:
   Loop(std::size_t count, std::size_t grain, const Body& body)
-      : count_(count), grain_(grain), body_(body) {}
+      : count_(count), grain_(grain), body_(body), outer_(current) {}
 
   bool has_more() const noexcept { return next_.load(std::memory_order_relaxed) < count_; }
 
+  /// Whether the loop was begun by a call of the body of `other`, at any depth.
+  bool is_inside(const Loop& other) const noexcept {
+    const Loop* loop = outer_;
+    while (loop != nullptr && loop != &other) loop = loop->outer_;
+    return loop != nullptr;
+  }
+
   /// Takes ranges until none is left. Returns the exception of a call.
   std::exception_ptr work() noexcept {
+    const Current is_current(this);
     try {
       while (true) {
         const std::size_t begin = next_.fetch_add(grain_, std::memory_order_relaxed);
@@ -46,15 +53,31 @@ class Loop {
   }
 
   // Guarded by the mutex of the pool.
-  std::uint64_t number = 0;  ///< Loops that started later have higher numbers.
   int helpers = 0;
   std::exception_ptr failure;
 
  private:
+  /// Whose body the thread is calling.
+  static thread_local const Loop* current;
+
+  class Current {
+   public:
+    explicit Current(const Loop* loop) noexcept : before_(std::exchange(current, loop)) {}
+    ~Current() { current = before_; }
+    Current(const Current&) = delete;
+    Current& operator=(const Current&) = delete;
+
+   private:
+    const Loop* before_;
+  };
+
   const std::size_t count_, grain_;
   const Body& body_;
+  const Loop* const outer_;
   std::atomic<std::size_t> next_{0};
 };
+
+thread_local const Loop* Loop::current = nullptr;
 
 thread_local Pool* used_pool = nullptr;
 
@@ -78,7 +101,6 @@ class Pool {
     Loop loop(count, grain, body);
     std::unique_lock lock(mutex_);
     if (helpers_.empty()) start_helpers();
-    loop.number = ++started_;
     loops_.push_back(&loop);
     lock.unlock();
     changed_.notify_all();
@@ -86,10 +108,10 @@ class Pool {
     lock.lock();
     std::erase(loops_, &loop);  // from now on nobody joins it
     note(failure, loop);
-    // Its helpers may wait for ranges of loops inside it, so help them. Loops that started earlier
-    // could keep this thread for longer than its own takes.
+    // Its helpers may wait for ranges of loops inside it, so help them. Others could keep this
+    // thread for longer than its own loop takes.
     while (loop.helpers > 0) {
-      if (Loop* inner = last_loop_after(loop.number)) {
+      if (Loop* inner = last_loop_inside(&loop)) {
         help(*inner, lock);
       } else {
         changed_.wait(lock);
@@ -114,14 +136,14 @@ class Pool {
     std::unique_lock lock(mutex_);
     // Ranges are taken without the lock: a loop that was found has ranges left only now.
     Loop* loop = nullptr;
-    const auto finds_one = [&] { return (loop = last_loop_after(0)) != nullptr; };
+    const auto finds_one = [&] { return (loop = last_loop_inside(nullptr)) != nullptr; };
     while (changed_.wait(lock, stop, finds_one)) help(*loop, lock);
   }
 
-  /// The last started loop that has ranges left, of those after a number.
-  Loop* last_loop_after(std::uint64_t number) const noexcept {
+  /// The last started loop that has ranges left, of all or of those inside `outer`.
+  Loop* last_loop_inside(const Loop* outer) const noexcept {
     for (Loop* loop : loops_ | std::views::reverse) {
-      if (loop->number > number && loop->has_more()) return loop;
+      if (loop->has_more() && (outer == nullptr || loop->is_inside(*outer))) return loop;
     }
     return nullptr;
   }
@@ -143,7 +165,6 @@ class Pool {
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::vector<Loop*> loops_;
-  std::uint64_t started_ = 0;
   std::vector<std::jthread> helpers_;  // last: they end before what they use
 };
 

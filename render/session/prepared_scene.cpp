@@ -9,21 +9,20 @@
 
 namespace sdlc::render {
 PreparedScene::PreparedScene(Kernel kernel, Scene scene, int threads) : kernel_(std::move(kernel)) {
-  Workers workers(threads);
   const auto start = Clock::now();
-  const Glints glints = find_glints(scene, kernel_.casters, kernel_.lights);
-  emitters_ = EmitterClasses(scene, kernel_.lights, kernel_.casters, glints.are_complete,
-                             kernel_.samples_at_metal);
-  tracer_ = workers.run([&] {
-    return make_tracer(std::move(scene), {.precision = kernel_.precision,
-                                          .backend = kernel_.backend,
-                                          .search = kernel_.search,
-                                          .exact_spheres = kernel_.exact_spheres,
-                                          .near_pairs = kernel_.bounds.near_pairs,
-                                          .lights = kernel_.lights,
-                                          .casters = kernel_.casters,
-                                          .glints = glints.images,
-                                          .samples_at_metal = kernel_.samples_at_metal});
+  Workers(threads).run([&] {
+    const Glints glints = find_glints(scene, kernel_.casters, kernel_.lights);
+    emitters_ = EmitterClasses(scene, kernel_.lights, kernel_.casters, glints.are_complete,
+                               kernel_.samples_at_metal);
+    tracer_ = make_tracer(std::move(scene), {.precision = kernel_.precision,
+                                             .backend = kernel_.backend,
+                                             .search = kernel_.search,
+                                             .exact_spheres = kernel_.exact_spheres,
+                                             .near_pairs = kernel_.bounds.near_pairs,
+                                             .lights = kernel_.lights,
+                                             .casters = kernel_.casters,
+                                             .glints = glints.images,
+                                             .samples_at_metal = kernel_.samples_at_metal});
   });
   // For a lattice of touching spheres they are larger than the spheres.
   kernel_.bounds.near_pairs.reset();

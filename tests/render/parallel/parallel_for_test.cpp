@@ -67,6 +67,42 @@ TEST(ParallelFor, OneThreadIsTheCaller) {
   EXPECT_THAT(threads, testing::ElementsAre(std::this_thread::get_id()));
 }
 
+// Otherwise a short loop would last as long as a long one that has nothing to do with it.
+TEST(ParallelFor, WaitingThreadsDoNotHelpLoopsOfOthers) {
+  for (int round = 0; round < 20; ++round) {
+    std::latch both(2), short_is_begun(2);
+    std::thread::id waiting;
+    std::atomic<bool> waits = false, has_helped = false, ends = false;
+    const auto short_loop = [&] {
+      parallel_for(2, [&](std::size_t) {
+        short_is_begun.arrive_and_wait();  // by two of the three threads
+        if (std::this_thread::get_id() == waiting) {
+          waits = true;
+        } else {
+          while (!ends) std::this_thread::yield();
+        }
+      });
+      waits = false;
+    };
+    const auto long_loop = [&] {
+      while (!waits) std::this_thread::yield();
+      parallel_for(100, [&](std::size_t) {
+        if (waits && std::this_thread::get_id() == waiting) has_helped = true;
+        std::this_thread::yield();
+      });
+      ends = true;
+    };
+    Workers(3).run([&] {
+      parallel_for(2, [&](std::size_t i) {
+        if (i == 0) waiting = std::this_thread::get_id();
+        both.arrive_and_wait();
+        i == 0 ? short_loop() : long_loop();
+      });
+    });
+    EXPECT_FALSE(has_helped);
+  }
+}
+
 TEST(ParallelFor, MayBeNested) {
   for (const int threads : {1, 2, 5}) {
     std::atomic<int> calls = 0;
