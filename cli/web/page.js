@@ -205,10 +205,10 @@ function showStatus() {
     }
   }
   if (isComparing) parts.push('pixels and clicks are of the new picture');
+  else if (header?.is_finished && header.scene === scene.scene) parts.push('finished');  // progress comes later
   else if (progress?.is_paused) parts.push('paused');
   else if (progress?.is_running && progress.seconds_left != null)
     parts.push(`${duration(progress.seconds_left)} left`);
-  else if (header?.is_finished) parts.push('finished');
   setStatus(parts.join(', '), !scene.is_correct || failure?.scene === scene.scene);
 }
 

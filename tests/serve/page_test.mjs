@@ -14,6 +14,7 @@ const folder = mkdtempSync(join(tmpdir(), 'sdlc-serve-'));
 const write = (name, text) => writeFileSync(join(folder, name), text);
 const kPatience = 600_000;  // ms
 let browser;
+const programs = new Set();
 async function newPage(context) {
   const page = await context.newPage();
   page.setDefaultTimeout(kPatience);
@@ -25,6 +26,7 @@ before(async () => {
                                      timeout: kPatience, protocolTimeout: kPatience });
 });
 after(async () => {
+  for (const program of programs) program.kill();  // those of tests that failed would keep this process
   await browser.close();
   rmSync(folder, { recursive: true });
 });
@@ -32,6 +34,7 @@ after(async () => {
 // A page of `sdlc serve`, and what ends it.
 async function serve(name, { width = 1200, height = 900, scheme = 'light', flags = [] } = {}) {
   const program = spawn(process.env.SDLC, ['serve', name, ...flags], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+  programs.add(program);
   const url = await new Promise((resolve) => program.stdout.once('data', (data) => resolve(String(data).trim())));
   const context = await browser.createBrowserContext();
   const page = await newPage(context);
@@ -45,6 +48,7 @@ async function serve(name, { width = 1200, height = 900, scheme = 'light', flags
   const end = async () => {
     await context.close();
     program.kill();
+    programs.delete(program);
     await new Promise((resolve) => program.once('exit', resolve));
     assert.deepEqual(faults, []);
   };
