@@ -9,7 +9,7 @@
 #include "cli/outputs.hpp"
 #include "cli/override_options.hpp"
 #include "cli/scene_options.hpp"
-#include "cli/serve_session.hpp"
+#include "cli/serve.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/whole_number.hpp"
 #include "lang/text/display_width.hpp"

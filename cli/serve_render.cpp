@@ -29,76 +29,7 @@ render::RenderSettings first_look_of(render::RenderSettings settings) {
   return settings;
 }
 
-}  // namespace
-
-void ServeRender::start(Order order, const Environment& env) {
-  cancel();
-  monitor_ = std::make_unique<render::RenderMonitor>();
-  settings_ = order.settings;
-  start_ = render::Clock::now();
-  paused_ = 0;
-  next_ = {};
-  is_running_ = true;
-  thread_ = std::thread([this, order = std::move(order), env]() mutable {
-    std::ostringstream messages;
-    Environment quiet = env.with_err(messages);
-    ExitCode code = ExitCode::Usage;
-    try {
-      code = report_failure(quiet, [&] {
-        run(order);
-        return ExitCode::Success;
-      });
-    } catch (const std::exception& error) {  // no thread could be started
-      messages << "error: " << error.what() << '\n';
-    }
-    is_running_ = false;
-    if (code != ExitCode::Success) handlers_.failed(order.scene, messages.str());
-  });
-}
-
-void ServeRender::cancel() {
-  if (!thread_.joinable()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    monitor_->cancel = true;
-  }
-  watched_.notify_all();
-  thread_.join();
-}
-
-ServeRender::Progress ServeRender::progress() const {
-  Progress progress{.is_running = is_running_.load(), .is_paused = is_paused_.load()};
-  if (!progress.is_running) return progress;
-  const double total =
-      static_cast<double>(settings_.samples) * static_cast<double>(settings_.window().pixels());
-  progress.share = settings_.has_goal()
-                       ? monitor_->goal_share.load()
-                       : std::min(1.0, static_cast<double>(monitor_->samples_done.load()) / total);
-  const double seconds = render::seconds_since(start_) - paused_.load();
-  progress.seconds_left = progress.is_paused   ? HUGE_VAL
-                          : progress.share > 0 ? seconds * (1 - progress.share) / progress.share
-                                               : HUGE_VAL;
-  return progress;
-}
-
-void ServeRender::set_watched(bool is_watched) {
-  {
-    const std::lock_guard lock(mutex_);
-    is_watched_ = is_watched;
-  }
-  watched_.notify_all();
-}
-
-void ServeRender::wait_until_watched() {
-  if (is_watched_ || is_cancelled()) return;
-  std::unique_lock lock(mutex_);
-  const auto start = render::Clock::now();
-  is_paused_ = true;
-  watched_.wait(lock, [&] { return is_watched_ || is_cancelled(); });
-  if (is_paused_.exchange(false)) paused_ = paused_.load() + render::seconds_since(start);
-}
-
-std::shared_ptr<ServedPicture> ServeRender::new_picture(const Order& order) const {
+std::shared_ptr<ServedPicture> new_picture(const ServeRender::Order& order) {
   auto picture = std::make_shared<ServedPicture>();
   picture->scene = order.scene;
   picture->settings = order.settings;
@@ -107,11 +38,48 @@ std::shared_ptr<ServedPicture> ServeRender::new_picture(const Order& order) cons
   return picture;
 }
 
-void ServeRender::show_first_look(const Order& order) {
+}  // namespace
+
+bool ServeRender::report(const Order& order, const Environment& env,
+                         const std::function<void()>& work) {
+  std::ostringstream messages;
+  Environment quiet = env.with_err(messages);
+  ExitCode code = ExitCode::Usage;
+  try {
+    code = report_failure(quiet, [&] {
+      work();
+      return ExitCode::Success;
+    });
+  } catch (const std::exception& error) {  // no thread could be started
+    messages << "error: " << error.what() << '\n';
+  }
+  if (code == ExitCode::Success) return true;
+  handlers_.failed(order.scene, messages.str());
+  return false;
+}
+
+ServeRender::Progress ServeRender::progress_of(const render::RenderSettings& settings,
+                                               const render::RenderMonitor& monitor,
+                                               double seconds) {
+  Progress progress{.is_running = true};
+  const double total =
+      static_cast<double>(settings.samples) * static_cast<double>(settings.window().pixels());
+  progress.share = settings.has_goal()
+                       ? monitor.goal_share.load()
+                       : std::min(1.0, static_cast<double>(monitor.samples_done.load()) / total);
+  progress.seconds_left =
+      progress.share > 0 ? seconds * (1 - progress.share) / progress.share : HUGE_VAL;
+  return progress;
+}
+
+void ServeRender::show_first_look(const Order& order, render::RenderMonitor& monitor) {
+  next_ = {};
+  const double pixels = static_cast<double>(order.settings.width) * order.settings.height;
+  if (pixels <= 2 * kFirstLook) return;
   auto picture = new_picture(order);
-  picture->result = render::render(*order.prepared, first_look_of(order.settings), *monitor_);
-  if (is_cancelled()) return;
-  monitor_->samples_done = monitor_->rays_done = 0;
+  picture->result = render::render(*order.prepared, first_look_of(order.settings), monitor);
+  if (monitor.cancel) return;
+  monitor.samples_done = monitor.rays_done = 0;
   picture->seconds = render::seconds_since(order.start);
   handlers_.shown(std::move(picture));
 }
@@ -119,8 +87,7 @@ void ServeRender::show_first_look(const Order& order) {
 void ServeRender::show_pass(const Order& order, const render::Film& film,
                             const std::function<render::ErrorSoFar()>& error) {
   constexpr std::chrono::milliseconds kPause(80);
-  wait_until_watched();
-  if (is_cancelled() || render::Clock::now() < next_) return;
+  if (render::Clock::now() < next_) return;
   auto picture = new_picture(order);
   render::RenderResult& result = picture->result;
   result.kernel = order.prepared->kernel();
@@ -156,24 +123,10 @@ void ServeRender::show_pass(const Order& order, const render::Film& film,
   next_ = render::Clock::now() + kPause;
 }
 
-void ServeRender::run(const Order& order) {
-  const render::RenderSettings& settings = order.settings;
-  monitor_->keeps_cancelled = false;
-  monitor_->before_tile = [this] { wait_until_watched(); };
-  wait_until_watched();
-  if (static_cast<double>(settings.width) * settings.height > 2 * kFirstLook) {
-    show_first_look(order);
-  }
-  monitor_->shows_passes = true;
-  monitor_->on_pass = [&](const render::Film& film,
-                          const std::function<render::ErrorSoFar()>& error) {
-    show_pass(order, film, error);
-  };
+void ServeRender::show_finished(const Order& order, render::RenderResult result) {
   auto picture = new_picture(order);
-  picture->result = render::render(*order.prepared, settings, *monitor_);
-  if (!picture->result.is_complete) return;
+  picture->result = std::move(result);
   picture->is_finished = true;
-  picture->seconds = render::seconds_since(order.start);
   handlers_.shown(std::move(picture));
 }
 

@@ -1,13 +1,10 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "cli/environment.hpp"
@@ -38,7 +35,7 @@ struct ServedPicture {
   }
 };
 
-/// Renders one scene at a time on a thread of its own, and pauses while nobody looks.
+/// Renders one scene at a time, and pauses while nobody looks.
 class ServeRender {
  public:
   struct Order {
@@ -60,44 +57,45 @@ class ServeRender {
     std::function<void(std::uint64_t scene, std::string failure)> failed;
   };
 
-  explicit ServeRender(Handlers handlers) : handlers_(std::move(handlers)) {}
-  ~ServeRender() { cancel(); }
+  ServeRender() = default;
+  virtual ~ServeRender() = default;
   ServeRender(const ServeRender&) = delete;
   ServeRender& operator=(const ServeRender&) = delete;
+
+  /// Before the first start().
+  void set_handlers(Handlers handlers) { handlers_ = std::move(handlers); }
 
   // These are for one thread.
 
   /// Ends the render under way, and begins another.
-  void start(Order order, const Environment& env);
+  virtual void start(Order order, const Environment& env) = 0;
   /// Ends the render under way, within milliseconds.
-  void cancel();
-  Progress progress() const;
+  virtual void cancel() = 0;
+  virtual Progress progress() const = 0;
 
   // These are for any thread.
 
-  void set_watched(bool is_watched);
+  virtual void set_watched(bool is_watched) = 0;
   /// Whether pictures have features and variance before they are finished.
   void set_wants_channels(bool wants) { wants_channels_ = wants; }
 
- private:
-  void run(const Order& order);
-  void show_first_look(const Order& order);
+ protected:
+  /// Shows a smaller picture of one sample per pixel first, unless the picture is small.
+  void show_first_look(const Order& order, render::RenderMonitor& monitor);
+  /// Shows the picture after a pass, but not more often than pages can show it.
   void show_pass(const Order& order, const render::Film& film,
                  const std::function<render::ErrorSoFar()>& error);
-  void wait_until_watched();
-  std::shared_ptr<ServedPicture> new_picture(const Order& order) const;
-  bool is_cancelled() const noexcept { return monitor_->cancel.load(); }
+  void show_finished(const Order& order, render::RenderResult result);
+  /// The work of a render on its thread. Returns false after a failure, of which it has told.
+  bool report(const Order& order, const Environment& env, const std::function<void()>& work);
+  /// The progress of a render that has begun so many seconds ago.
+  static Progress progress_of(const render::RenderSettings& settings,
+                              const render::RenderMonitor& monitor, double seconds);
 
+ private:
   Handlers handlers_;
-  std::unique_ptr<render::RenderMonitor> monitor_;  // of the render under way
-  std::thread thread_;
-  render::RenderSettings settings_;
-  render::Clock::time_point start_{}, next_{};
-  std::atomic<double> paused_{0};  // seconds
-  std::atomic<bool> is_running_{false}, is_paused_{false}, wants_channels_{false};
-  std::mutex mutex_;
-  std::condition_variable watched_;
-  std::atomic<bool> is_watched_{false};
+  render::Clock::time_point next_{};  // when the next pass may be shown
+  std::atomic<bool> wants_channels_{false};
 };
 
 }  // namespace sdlc::cli

@@ -3,32 +3,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <vector>
 
-#include <fmt/format.h>
-
-#include "cli/accuracy_report.hpp"
 #include "cli/serve_choices.hpp"
 #include "cli/serve_messages.hpp"
-#include "cli/version.hpp"
-#include "cli/web/page.hpp"
-#include "render/image/image.hpp"
 
 namespace sdlc::cli {
 
-WebServer::Handlers ServeRequests::handlers() {
-  return {.get = [this](const WebRequest& request) { return resource(request); },
-          .opened =
-              [this](Viewer viewer) {
-                pages_.open(viewer);
-                look_at_pages();
-              },
-          .closed =
-              [this](Viewer viewer) {
-                pages_.close(viewer);
-                look_at_pages();
-              },
-          .received = [this](Viewer viewer, std::string_view text) { receive(viewer, text); }};
+void ServeRequests::open(Viewer viewer) {
+  pages_.open(viewer);
+  look_at_pages();
+}
+
+void ServeRequests::close(Viewer viewer) {
+  pages_.close(viewer);
+  look_at_pages();
 }
 
 void ServeRequests::look_at_pages() {
@@ -36,23 +24,6 @@ void ServeRequests::look_at_pages() {
   render_.set_watched(is_watched);
   render_.set_wants_channels(pages_.wants_channels());
   mailbox_.put([&](ServeMail& mail) { mail.is_watched = is_watched; });
-}
-
-std::optional<WebResource> ServeRequests::resource(const WebRequest& request) const {
-  if (request.name.empty()) return page(request.host);
-  const ServedPicture* const picture = pages_.picture();
-  const bool is_exr = request.name == "picture.exr";
-  if (picture == nullptr || !(is_exr || request.name == "picture.png")) return std::nullopt;
-  const auto mapping = is_exr ? std::nullopt : std::optional(picture->mapping);
-  const std::vector<std::byte> bytes = render::encode_picture(
-      picture->result.picture,
-      {.format = is_exr ? render::ImageFormat::Exr : render::ImageFormat::Png,
-       .mapping = picture->mapping,
-       .metadata = {.software = fmt::format("sdlc {}", kVersion),
-                    .entries = picture_metadata(picture->settings, picture->result, mapping)}});
-  return WebResource{
-      .type = is_exr ? "image/x-exr" : "image/png",
-      .body = std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())};
 }
 
 void ServeRequests::receive(Viewer viewer, std::string_view text) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string_view>
 
 #include "cli/serve_mailbox.hpp"
@@ -21,11 +19,11 @@ class ServeRequests {
   ServeRequests(bool has_editor, ServePages& pages, ServeRender& render, ServeMailbox& mailbox)
       : has_editor_(has_editor), pages_(pages), render_(render), mailbox_(mailbox) {}
 
-  WebServer::Handlers handlers();
+  void open(Viewer viewer);
+  void close(Viewer viewer);
+  void receive(Viewer viewer, std::string_view text);
 
  private:
-  std::optional<WebResource> resource(const WebRequest& request) const;
-  void receive(Viewer viewer, std::string_view text);
   /// Throws Json::exception for values of other types than a page sends.
   void take(Viewer viewer, const Json& message);
   void look_at_pages();

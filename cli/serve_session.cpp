@@ -1,58 +1,18 @@
 #include "cli/serve_session.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <optional>
 #include <span>
-#include <stop_token>
-#include <string>
 #include <string_view>
-#include <system_error>
-#include <thread>
-#include <utility>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "cli/diagnostics_output.hpp"
-#include "cli/file_watch.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/outputs.hpp"
 #include "cli/serve_choices.hpp"
-#include "cli/serve_editor.hpp"
-#include "cli/serve_mailbox.hpp"
 #include "cli/serve_messages.hpp"
-#include "cli/serve_outline.hpp"
-#include "cli/serve_pages.hpp"
-#include "cli/serve_picture.hpp"
-#include "cli/serve_render.hpp"
-#include "cli/serve_requests.hpp"
-#include "cli/serve_scene.hpp"
-#include "cli/usage_error.hpp"
-#include "cli/web/web_server.hpp"
 #include "lang/allowances/allowances.hpp"
 #include "lang/workspace/workspace.hpp"
-#include "render/math/clock.hpp"
-#include "render/scene/digest.hpp"
 
 namespace sdlc::cli {
 namespace {
 
 using Viewer = WebServer::Viewer;
-
-/// What decides about a picture: equal ones give equal pictures.
-struct LookOfScene {
-  render::SceneDigest scene;
-  render::RenderSettings settings;
-  render::ToneMapping mapping;
-  std::optional<render::Precision> precision;
-
-  friend bool operator==(const LookOfScene&, const LookOfScene&) = default;
-};
 
 LookOfScene look_of(const lang::LoweredScene& lowered) {
   return {.scene = render::digest_of_parts(lowered.scene),
@@ -61,122 +21,23 @@ LookOfScene look_of(const lang::LoweredScene& lowered) {
           .precision = lowered.precision};
 }
 
-class ServeSession {
- public:
-  ServeSession(const ServeOptions& options, Environment& env)
-      : options_(options), env_(env), files_(watch_), workspace_(files_) {}
+}  // namespace
 
-  ExitCode run();
-
- private:
-  void listen(std::optional<WebServer>& server);
-  std::optional<ServeEditor> listen_to_editor(std::atomic<bool>& interrupted);
-  void take_mail();
-  void take_texts(std::vector<ServeMail::Text> texts);
-  void take_choices(const Json& message);
-  void rebuild(std::shared_ptr<const lang::StopRequest> compilation);
-  void start_render(render::Clock::time_point start);
-  void print_findings_of(const ServedScene& scene);
-  void publish_scene();
-  void publish_outline();
-  void publish_progress();
-  void answer_pick(Viewer viewer, ServeMail::Pixel pixel);
-  void open_in_editor(const Json& place);
-
-  // On the thread of the render
-  void show_picture(std::shared_ptr<const ServedPicture> picture);
-  void show_failure(std::uint64_t scene, const std::string& failure);
-
-  const ServeOptions& options_;
-  Environment& env_;
-  FileWatch watch_;
-  WatchedFiles files_;
-  lang::Workspace workspace_;
-  ServeMailbox mailbox_;
-
-  ServeChoices choices_;
-  std::uint64_t number_ = 0;             // of the pictures
-  std::unique_ptr<ServedScene> latest_;  // null if it is shown_
-  std::unique_ptr<ServedScene> shown_;   // the last correct one; may be null
-  std::optional<LookOfScene> look_;      // of shown_
-  bool is_outdated_ = false;             // the text or the choices have changed since
-  bool is_cancelled_ = false;            // the render of shown_ is, before it has finished
-  bool is_watched_ = false;              // by a window
-  std::optional<TextPlace> cursor_;
-  std::string progress_;
-
-  WebServer* server_ = nullptr;
-  std::atomic<std::shared_ptr<const ServedPicture>> newest_;  // that no page has seen
-  ServeRender render_{
+ServeSession::ServeSession(const ServeOptions& options, const Environment& env, ServeRender& render,
+                           ServeTransport transport)
+    : options_(options), env_(env), render_(render), transport_(std::move(transport)) {
+  render_.set_handlers(
       {.shown = [this](auto picture) { show_picture(std::move(picture)); },
-       .failed = [this](std::uint64_t scene, auto failure) { show_failure(scene, failure); }}};
-  ServePages pages_{[this](Viewer viewer, std::string message, WebServer::MessageType type) {
-    server_->send(viewer, std::move(message), type);
-  }};
-  ServeRequests requests_{options_.has_editor, pages_, render_, mailbox_};
-};
-
-void ServeSession::listen(std::optional<WebServer>& server) {
-  try {
-    server.emplace(static_cast<std::uint16_t>(options_.port), requests_.handlers());
-  } catch (const std::system_error& error) {
-    throw UsageError(fmt::format("--port: cannot listen: {}", error.what()));
-  }
-  server_ = &*server;
-  env_.out << (options_.has_editor ? to_line({{"type", "url"}, {"url", server->url()}})
-                                   : server->url())
-           << std::endl;
+       .failed = [this](std::uint64_t scene, auto failure) { show_failure(scene, failure); }});
 }
 
-std::optional<ServeEditor> ServeSession::listen_to_editor(std::atomic<bool>& interrupted) {
-  if (!options_.has_editor) return std::nullopt;
-  return std::optional<ServeEditor>(
-      std::in_place,
-      ServeEditor::Handlers{
-          .changed =
-              [this](std::filesystem::path path, std::optional<std::string> text) {
-                mailbox_.put([&](ServeMail& mail) {
-                  mail.texts.emplace_back(std::move(path), std::move(text));
-                });
-              },
-          .moved =
-              [this](TextPlace cursor) {
-                mailbox_.put([&](ServeMail& mail) { mail.cursor = std::move(cursor); });
-              },
-          .ended = [&interrupted] { interrupted = true; }});
-}
-
-ExitCode ServeSession::run() {
-  std::atomic<bool> interrupted{false};
-  const InterruptGuard guard(interrupted);
-  std::optional<WebServer> server;
-  listen(server);
-  // Also after an exception: the render talks to the server.
-  const std::unique_ptr<ServeRender, void (*)(ServeRender*)> cancelled(
-      &render_, [](ServeRender* render) { render->cancel(); });
-  {
-    const std::optional<ServeEditor> editor = listen_to_editor(interrupted);
-    const std::jthread watcher([this](const std::stop_token& token) {
-      constexpr std::chrono::milliseconds kWait(200);
-      while (!token.stop_requested()) {
-        if (watch_.wait(kWait).empty()) continue;
-        mailbox_.put([](ServeMail& mail) { mail.has_changed = true; });
-      }
-    });
-    // An editor sends its texts first.
-    if (!options_.has_editor) mailbox_.put([](ServeMail& mail) { mail.has_changed = true; });
-    while (!interrupted) {
-      take_mail();
-      publish_progress();
-    }
-  }
-  return ExitCode::Interrupted;
-}
-
-void ServeSession::take_mail() {
-  constexpr std::chrono::milliseconds kTick(100);
+void ServeSession::turn(std::chrono::milliseconds patience) {
   auto compilation = std::make_shared<lang::StopRequest>();
-  ServeMail mail = mailbox_.take(kTick, compilation);
+  take(mailbox_.take(patience, compilation), compilation);
+  publish_progress();
+}
+
+void ServeSession::take(ServeMail mail, std::shared_ptr<lang::StopRequest> compilation) {
   if (mail.has_changed) is_outdated_ = true;
   if (mail.is_watched) is_watched_ = *mail.is_watched;
   if (mail.cursor) cursor_ = std::move(mail.cursor);
@@ -205,9 +66,9 @@ void ServeSession::take_mail() {
 void ServeSession::take_texts(std::vector<ServeMail::Text> texts) {
   for (auto& [path, text] : texts) {
     if (text) {
-      workspace_.open(path, *std::move(text));
+      env_.workspace.open(path, *std::move(text));
     } else {
-      workspace_.close(path);
+      env_.workspace.close(path);
     }
     // A scene with errors may lack this file.
     const bool is_correct = shown_ && !latest_;
@@ -223,7 +84,7 @@ void ServeSession::take_choices(const Json& message) {
 
 void ServeSession::rebuild(std::shared_ptr<const lang::StopRequest> compilation) {
   const auto start = render::Clock::now();
-  Environment env = env_.with_workspace(workspace_);
+  Environment env = env_;
   std::optional<LookOfScene> look;
   const auto on_correct = [&](const lang::LoweredScene& lowered) {
     look = look_of(lowered);
@@ -276,7 +137,7 @@ void ServeSession::publish_scene() {
   std::string message =
       to_line(scene_json(number_, *latest, shown_.get(), choices_,
                          render_command(env_.arguments, of_command), options_.has_editor));
-  server_->post([this, message = std::move(message)] { pages_.show_scene(message); });
+  transport_.post([this, message = std::move(message)] { pages_.show_scene(message); });
 }
 
 void ServeSession::publish_outline() {
@@ -286,14 +147,14 @@ void ServeSession::publish_outline() {
   for (const PixelRow& row : outline.rows) rows.push_back({row.x, row.y, row.width});
   std::string message =
       to_line({{"type", "outline"}, {"step", outline.step}, {"rows", std::move(rows)}});
-  server_->post([this, message = std::move(message)] { pages_.show_outline(message); });
+  transport_.post([this, message = std::move(message)] { pages_.show_outline(message); });
 }
 
 void ServeSession::publish_progress() {
   std::string message = to_line(progress_json(render_.progress()));
   if (message == progress_) return;
   progress_ = message;
-  server_->post([this, message = std::move(message)] { pages_.send_to_all(message); });
+  transport_.post([this, message = std::move(message)] { pages_.send_to_all(message); });
 }
 
 void ServeSession::answer_pick(Viewer viewer, ServeMail::Pixel pixel) {
@@ -313,7 +174,7 @@ void ServeSession::answer_pick(Viewer viewer, ServeMail::Pixel pixel) {
     answer["sphere"] =
         sphere_json(shown_->lowered.scene, *picked, origins.empty() ? nullptr : &origins.front());
   }
-  server_->send(viewer, to_line(answer));
+  transport_.send(viewer, to_line(answer), WebServer::MessageType::Text);
 }
 
 void ServeSession::open_in_editor(const Json& place) {
@@ -332,23 +193,20 @@ void ServeSession::open_in_editor(const Json& place) {
 }
 
 void ServeSession::show_picture(std::shared_ptr<const ServedPicture> picture) {
-  // Only the newest waits for the server.
-  if (newest_.exchange(std::move(picture)) != nullptr) return;
-  server_->post([this] { pages_.show_picture(newest_.exchange(nullptr)); });
+  // Only the newest waits for the pages.
+  if (exchange_newest(std::move(picture)) != nullptr) return;
+  transport_.post([this] { pages_.show_picture(exchange_newest(nullptr)); });
+}
+
+std::shared_ptr<const ServedPicture> ServeSession::exchange_newest(
+    std::shared_ptr<const ServedPicture> picture) {
+  const std::lock_guard lock(newest_mutex_);
+  return std::exchange(newest_, std::move(picture));
 }
 
 void ServeSession::show_failure(std::uint64_t scene, const std::string& failure) {
   std::string message = to_line({{"type", "failure"}, {"scene", scene}, {"text", failure}});
-  server_->post([this, message = std::move(message)] { pages_.show_failure(message); });
-}
-
-}  // namespace
-
-ExitCode serve(const ServeOptions& options, Environment& env) {
-  if (options.scene.file == kStandardStream) {
-    throw UsageError("standard input does not change; name a file");
-  }
-  return ServeSession(options, env).run();
+  transport_.post([this, message = std::move(message)] { pages_.show_failure(message); });
 }
 
 }  // namespace sdlc::cli
