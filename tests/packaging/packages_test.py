@@ -112,13 +112,13 @@ class Packages(unittest.TestCase):
 class ContinuousIntegration(unittest.TestCase):
     """The action for GitHub and the template for GitLab, with an npx that prints its arguments."""
 
-    def run_script(self, script, **variables):
+    def run_script(self, script, shell="bash", **variables):
         with tempfile.TemporaryDirectory() as folder:
             npx = pathlib.Path(folder, "npx")
             npx.write_text(PROGRAM)
             npx.chmod(0o755)
             environment = {**os.environ, **variables, "PATH": f"{folder}:{os.environ['PATH']}"}
-            result = subprocess.run(["bash", "-eo", "pipefail", "-c", script], env=environment, cwd=folder,
+            result = subprocess.run([shell, "-ec", script], env=environment, cwd=folder,
                                     capture_output=True, text=True)
             report = pathlib.Path(folder, "gl-code-quality-report.json")
             return result.stdout + (report.read_text() if report.exists() else ""), result.returncode
@@ -130,21 +130,30 @@ class ContinuousIntegration(unittest.TestCase):
             self.skipTest("there is no python3-yaml")
         return list(yaml.safe_load_all((ROOT / name).read_text()))
 
+    # What a user gives as paths, and what the linter gets: words are separated by spaces and lines, and no patterns.
+    paths = {"a b/c": "<a><b/c>", "\na b/c\n$(exit)\n": "<a><b/c><$(exit)>", "a\t* \"b c\" -d": '<a><*><"b><c"><-d>'}
+
     def test_the_action_lints_the_paths(self):
         (action,) = self.read("action.yml")
         (step,) = action["runs"]["steps"]
-        output, status = self.run_script(step["run"], PATHS="\na b/c\n$(exit)\n", VERSION=action["inputs"]["version"]["default"])
-        self.assertEqual(output, f"<--yes><sdlc-lint@{VERSION}><--format><github><--><a><b/c><$(exit)>")
-        self.assertEqual(status, 3)
+        version = action["inputs"]["version"]["default"]
+        for paths, expected in self.paths.items():
+            output, status = self.run_script(step["run"], PATHS=paths, VERSION=version)
+            self.assertEqual(output, f"<--yes><sdlc-lint@{VERSION}><--format><github><-->{expected}")
+            self.assertEqual(status, 3)
+        self.assertEqual(self.run_script(step["run"], PATHS=" \n", VERSION=version), ("", 2))
         self.assertEqual(step["env"], {"PATHS": "${{ inputs.paths }}", "VERSION": "${{ inputs.version }}"})
 
-    def test_the_template_writes_a_report(self):
+    def test_the_template_lints_the_same_paths_and_writes_a_report(self):
         spec, jobs = self.read("templates/lint.yml")
         job = jobs["sdlc-lint"]
-        output, status = self.run_script("\n".join(job["script"]), SDLC_PATHS="a b/c",
-                                         SDLC_VERSION=spec["spec"]["inputs"]["version"]["default"])
-        self.assertEqual(output, f"<--yes><sdlc-lint@{VERSION}><--format><gitlab><--><a><b/c>")
-        self.assertEqual(status, 3)
+        script, version = "\n".join(job["script"]), spec["spec"]["inputs"]["version"]["default"]
+        for paths, expected in self.paths.items():
+            for shell in ("bash", "sh"):
+                output, status = self.run_script(script, shell, SDLC_PATHS=paths, SDLC_VERSION=version)
+                self.assertEqual(output, f"<--yes><sdlc-lint@{VERSION}><--format><gitlab><-->{expected}")
+                self.assertEqual(status, 3)
+        self.assertEqual(self.run_script(script, SDLC_PATHS="", SDLC_VERSION=version), ("", 2))
         self.assertEqual(job["artifacts"]["reports"]["codequality"], "gl-code-quality-report.json")
 
 
