@@ -18,7 +18,7 @@ import tempfile
 import unittest
 import zipfile
 
-ROOT, VERSION = pathlib.Path(sys.argv[1]), sys.argv[2]
+ROOT, VERSION = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 PROGRAM = '#!/bin/sh\nprintf "<%s>" "$@"\nexit 3\n'
 needs_node = unittest.skipUnless(shutil.which("node"), "there is no Node.js")
 
@@ -155,6 +155,47 @@ class ContinuousIntegration(unittest.TestCase):
                 self.assertEqual(status, 3)
         self.assertEqual(self.run_script(script, SDLC_PATHS="", SDLC_VERSION=version), ("", 2))
         self.assertEqual(job["artifacts"]["reports"]["codequality"], "gl-code-quality-report.json")
+
+
+class Files(unittest.TestCase):
+    """What packaging/files.sh puts beside the program, for which `echo` stands."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def put(self, root, name):
+        """Returns the folder of the documentation."""
+        command = [root / "packaging/files.sh", VERSION, "1", "a <a@b>", self.folder / name, "echo"]
+        subprocess.run(command, check=True)
+        return self.folder / name / "sdlc/doc/sdlc"
+
+    def test_no_link_leads_to_what_is_left_out(self):
+        documentation = self.put(ROOT, "files")
+        pages = sorted(documentation.rglob("*.md"))
+        self.assertGreater(len(pages), 50)
+        links = [(page, link) for page in pages
+                 for link in re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", page.read_text())]
+        self.assertGreater(len(links), 100)
+        dead = [f"{page}: {link}" for page, link in links if not (page.parent / link).exists()]
+        self.assertEqual(dead, [])
+
+    @unittest.skipUnless(shutil.which("git"), "there is no git")
+    def test_a_checkout_gives_what_git_has_and_other_sources_give_all(self):
+        root = self.folder / "root"
+        for name in ("packaging/files.sh", "packaging/copyright", "packaging/sdlc.xml", "packaging/sdlc.desktop",
+                     "CHANGELOG.md", "editors/vscode/icons/scene-light.svg", "docs/lint.md", "examples/demo.scene"):
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, root / name)
+        git = ["git", "-C", root]
+        subprocess.run([*git, "init", "-q"], check=True)
+        subprocess.run([*git, "add", "."], check=True)
+        (root / "examples/mine.scene").write_text("scene 1\n")
+        self.assertFalse((self.put(root, "first") / "examples/mine.scene").exists())
+        self.assertTrue((self.put(root, "first") / "examples/demo.scene").exists())
+        shutil.rmtree(root / ".git")
+        self.assertTrue((self.put(root, "second") / "examples/mine.scene").exists())
 
 
 class BillOfMaterials(unittest.TestCase):
