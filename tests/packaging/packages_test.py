@@ -1,5 +1,6 @@
-"""What packaging/archives.py writes, and what installs it in CI. Arguments: the root of the repository, its version.
-The program in these packages is a script that prints its arguments and ends with status 3."""
+"""What packaging/ writes, and what installs it in CI. Arguments: the root of the repository, its version, and for the
+test of what programs link: readelf, sdlc, and its modules. The program in these packages is a script that prints its
+arguments and ends with status 3."""
 
 import base64
 import csv
@@ -19,6 +20,10 @@ import unittest
 import zipfile
 
 ROOT, VERSION = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
+sys.dont_write_bytecode = True
+sys.path.append(str(ROOT / "packaging"))
+import sbom  # noqa: E402
+
 PROGRAM = '#!/bin/sh\nprintf "<%s>" "$@"\nexit 3\n'
 needs_node = unittest.skipUnless(shutil.which("node"), "there is no Node.js")
 
@@ -78,14 +83,37 @@ class Packages(unittest.TestCase):
             self.assertEqual(program.external_attr >> 16, 0o100755)
             self.assertEqual(files.read(program).decode(), PROGRAM)
 
-    def test_each_package_has_the_licences(self):
+    def contents(self, package):
+        """The files of a package, by their names below its folder."""
+        if package.suffix == ".whl":
+            with zipfile.ZipFile(package) as files:
+                return {name.partition("/")[2]: files.read(name) for name in files.namelist()}
+        with tarfile.open(package) as tar:
+            return {name.partition("/")[2]: tar.extractfile(name).read() for name in tar.getnames()}
+
+    def test_each_package_has_the_licences_of_what_it_contains(self):
+        texts = {"LICENSE": "Apache License", "notices/sdlc": "cmake --build b --target sdlc_static",
+                 "notices/libpng-dev": "PNG", "notices/zlib1g-dev": "zlib", "notices/libc6-dev": "GNU C Library",
+                 "notices/libstdc++-12-dev": "GCC RUNTIME LIBRARY EXCEPTION",
+                 "notices/LGPL-2.1": "GNU LESSER GENERAL PUBLIC LICENSE", "notices/GPL-3": "GNU GENERAL PUBLIC LICENSE"}
         for package in self.pack("packages").iterdir():
-            if package.suffix == ".whl":
-                names = zipfile.ZipFile(package).namelist()
-            else:
-                names = tarfile.open(package).getnames()
-            for notice in ("LICENSE", "sdlc", "libpng-dev", "libc6-dev"):
-                self.assertTrue(any(name.endswith(f"/{notice}") for name in names), f"{package} {notice}")
+            folder = "licenses/" if package.suffix == ".whl" else ""
+            files = self.contents(package)
+            if package.name.startswith("sdlc-lint"):
+                self.assertFalse([name for name in files if "notices" in name])
+                continue
+            found = {name.removeprefix(folder) for name in files if re.search("^(licenses/)?(LICENSE|notices/)", name)}
+            self.assertEqual(found, set(texts), package.name)
+            for name, text in texts.items():
+                self.assertIn(text, files[folder + name].decode(), f"{package.name} {name}")
+
+    def test_the_container_is_the_unpacked_tar_file(self):
+        (archive,) = self.pack("packages").glob("*.tar.gz")
+        files = self.contents(archive)
+        steps = files["Containerfile"].decode()
+        self.assertRegex(steps, r"(?m)^FROM scratch\nCOPY \. /$")
+        (program,) = re.findall(r'^ENTRYPOINT \["/(.*)"\]$', steps, re.M)
+        self.assertEqual(files[program].decode(), PROGRAM)
 
     @needs_node
     def test_sdlc_lint_is_the_command_lint(self):
@@ -200,17 +228,55 @@ class Files(unittest.TestCase):
 
 class BillOfMaterials(unittest.TestCase):
     @unittest.skipUnless(shutil.which("dpkg-query"), "the libraries are not Debian's")
-    def test_has_the_libraries_of_the_page(self):
+    def test_has_the_libraries_of_the_package(self):
         with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder, "bill.json")
-            subprocess.run([sys.executable, ROOT / "packaging/sbom.py", VERSION, file], check=True,
+            subprocess.run([sys.executable, ROOT / "packaging/sbom.py", VERSION, folder, *sbom.PACKAGES], check=True,
                            stdout=subprocess.DEVNULL)
-            components = json.loads(file.read_text())["components"]
-        rows = re.findall(r"^\| \[([^\]]+)\].*\|([^|]*)\|$", (ROOT / "THIRD_PARTY.md").read_text(), re.M)
-        joined = {name for name, how in rows if "not part of the program" not in how}
-        always = {"GNU C library", "libstdc++"}
-        self.assertTrue(joined)
-        self.assertEqual({component["name"] for component in components} - always, joined)
+            found = {}
+            for package in sbom.PACKAGES:
+                bill = json.loads(pathlib.Path(folder, f"{package}-{VERSION}.cdx.json").read_text())
+                self.assertEqual(bill["metadata"]["component"]["name"], package)
+                found[package] = {component["name"]: component for component in bill["components"]}
+        system = {"libstdc++", "GNU C library"}
+        self.assertEqual(set(found["sdlc-openimageio"]), system | {"OpenImageIO"})
+        self.assertEqual(set(found["sdlc"]) - set(found["sdlc-static"]), {"OpenEXR", "Imath"})
+        self.assertLessEqual(system | {"libpng", "fmt", "Boost"}, set(found["sdlc-static"]))
+        library = found["sdlc-static"]["libstdc++"]
+        self.assertEqual(library["licenses"], [{"expression": "GPL-3.0-or-later WITH GCC-exception-3.1"}])
+        self.assertRegex(library["purl"], r"^pkg:deb/debian/libstdc%2B%2B-12-dev@12\.")
+        self.assertEqual(found["sdlc"]["Boost"]["licenses"], [{"license": {"id": "BSL-1.0"}}])
+
+    @unittest.skipUnless(shutil.which("dpkg-query"), "the libraries are not Debian's")
+    def test_a_library_of_unknown_version_is_an_error(self):
+        with self.assertRaisesRegex(SystemExit, "libnothing-dev is not installed"):
+            sbom.installed_version("libnothing-dev")
+
+    @unittest.skipUnless(sys.argv[3:], "there are no programs")
+    def test_names_the_shared_libraries_of_programs_and_modules(self):
+        readelf, program, *modules = sys.argv[3:]
+        files = {"sdlc": [program, *(module for module in modules if "openimageio" not in module)],
+                 "sdlc-openimageio": [module for module in modules if "openimageio" in module]}
+
+        def source(package):
+            query = ["dpkg-query", "-W", "-f=${source:Package}\n", package]
+            return subprocess.run(query, check=True, capture_output=True, text=True).stdout.split()[0]
+
+        for package, paths in files.items():
+            headers = subprocess.run([readelf, "-dW", *paths], check=True, capture_output=True, text=True).stdout
+            names = set(re.findall(r"\(NEEDED\).*\[(.*)\]", headers))
+            owners = subprocess.run(["dpkg-query", "-S", *(f"*/{name}" for name in names)], check=True,
+                                    capture_output=True, text=True).stdout
+            linked = {source(owner) for owner in re.findall(r"^([^:,]+).*: /(?:usr/)?lib", owners, re.M)}
+            known = {source(library.debian) for library in sbom.libraries_of(package)
+                     if library.joined[package] == "shared library"}
+            self.assertEqual(linked, known, package)
+
+    def test_the_copyright_file_has_the_notices_of_headers(self):
+        stanzas = re.findall(r"^Files: (\S+-dev)\nCopyright: .*\nLicense: (.*)$",
+                             (ROOT / "packaging/copyright").read_text(), re.M)
+        headers = {library.debian: library.terms for library in sbom.libraries() if "headers" in library.joined.values()}
+        self.assertEqual({name: terms.lower() for name, terms in stanzas},
+                         {name: terms.lower() for name, terms in headers.items()})
 
 
 class Versions(unittest.TestCase):
