@@ -282,7 +282,7 @@ class BillOfMaterials(unittest.TestCase):
 class Versions(unittest.TestCase):
     def test_what_names_a_version_names_this_one(self):
         number = re.compile(r"(?:sdlc(?:-lint)?(?:@|==)v?|sdlc[-_]|sdlc/lint@v|rev: v|default: )(\d+\.\d+\.\d+)")
-        for name in ("action.yml", "templates/lint.yml", "docs/ci.md", "docs/install.md"):
+        for name in ("action.yml", "templates/lint.yml", "docs/ci.md", "docs/farm.md", "docs/install.md"):
             found = number.findall((ROOT / name).read_text())
             self.assertTrue(found, name)
             self.assertEqual(set(found), {VERSION}, name)
