@@ -18,14 +18,17 @@ import tarfile
 import time
 import zipfile
 
+sys.dont_write_bytecode = True
+import sbom  # noqa: E402
+
 HERE = pathlib.Path(__file__).parent
 SUMMARY = "Compiler, linter and renderer of a scene language"
 LICENCE = "Apache-2.0"
 # Names of the same machine elsewhere.
 NODE_MACHINES = {"x86_64": "x64", "aarch64": "arm64"}
-# Debian's packages of the libraries that are linked in; their notices belong to the program.
-LINKED = ("libc6-dev", "libfmt-dev", "libpng-dev", "libstdc++-12-dev", "zlib1g-dev")
-DOCUMENTATION = pathlib.Path("/usr/share/doc")
+# The licences of the C library and of libstdc++, beyond their notices.
+LICENCES = ("LGPL-2.1", "GPL-3")
+SHARE = pathlib.Path("/usr/share")
 WHEEL_PLATFORMS = "manylinux_2_17_{0}.musllinux_1_1_{0}"
 
 
@@ -42,14 +45,21 @@ class Entry:
         self.mode = 0o755 if is_program else 0o644
 
 
+def own_licence():
+    return Entry("LICENSE", (HERE.parent / "LICENSE").read_bytes())
+
+
 def notices():
-    """The licence, and the notices of what is compiled and linked in."""
-    linked = [Entry(f"notices/{name}", (DOCUMENTATION / name / "copyright").read_bytes()) for name in LINKED]
-    return [
-        Entry("LICENSE", (HERE.parent / "LICENSE").read_bytes()),
-        Entry("notices/sdlc", (HERE / "copyright").read_bytes()),
-        *linked,
-    ]
+    """Of the program: the licence, the notices of what is compiled and linked in, and the licences they refer to."""
+    # Those of headers are in packaging/copyright.
+    linked = [library.debian for library in sbom.libraries_of("sdlc-static")
+              if library.joined["sdlc-static"] == "static library"]
+    files = {
+        "notices/sdlc": HERE / "copyright",
+        **{f"notices/{name}": SHARE / "doc" / name / "copyright" for name in linked},
+        **{f"notices/{name}": SHARE / "common-licenses" / name for name in LICENCES},
+    }
+    return [own_licence(), *(Entry(name, path.read_bytes()) for name, path in files.items())]
 
 
 def readme():
@@ -94,7 +104,7 @@ def wheel(program, version, machine, output):
         Entry(f"{about}/METADATA", metadata.encode() + readme().content),
         Entry(f"{about}/WHEEL", f"Wheel-Version: 1.0\nGenerator: sdlc\nRoot-Is-Purelib: false\n{tags}"),
     ]
-    entries += [Entry(f"{about}/{entry.name}", entry.content) for entry in notices()]
+    entries += [Entry(f"{about}/licenses/{entry.name}", entry.content) for entry in notices()]
     write_wheel(output / f"sdlc-{version}-py3-none-{platforms}.whl", entries, version)
 
 
@@ -103,19 +113,20 @@ def npm(program, version, machine, output):
 
     def package(about, file, entries):
         manifest = {"version": version, "license": LICENCE, **about}
-        entries = [Entry("package.json", json.dumps(manifest, indent=2) + "\n"), *entries, readme(), *notices()]
+        entries = [Entry("package.json", json.dumps(manifest, indent=2) + "\n"), *entries, readme()]
         write_tar(output / f"{file}-{version}.tgz", "package", entries)
 
     package(
         {"name": f"@sdlc/linux-{node_machine}", "description": f"{SUMMARY}: the program for Linux",
          "os": ["linux"], "cpu": [node_machine]},
-        f"sdlc-linux-{node_machine}", [Entry("bin/sdlc", program, is_program=True)])
+        f"sdlc-linux-{node_machine}", [Entry("bin/sdlc", program, is_program=True), *notices()])
     package(
         {"name": "sdlc-lint", "description": SUMMARY, "bin": {"sdlc-lint": "lint.js", "sdlc": "sdlc.js"},
          "engines": {"node": ">=14"},
          "optionalDependencies": {f"@sdlc/linux-{known}": version for known in NODE_MACHINES.values()}},
         "sdlc-lint",
-        [Entry(name, (HERE / "npm" / name).read_bytes(), name != "run.js") for name in ("lint.js", "run.js", "sdlc.js")])
+        [own_licence(), *(Entry(name, (HERE / "npm" / name).read_bytes(), name != "run.js")
+                          for name in ("lint.js", "run.js", "sdlc.js"))])
 
 
 def main():
@@ -127,8 +138,9 @@ def main():
     if machine not in NODE_MACHINES:
         sys.exit(f"archives.py: unknown machine {machine}")
     output.mkdir(parents=True, exist_ok=True)
+    container = Entry("Containerfile", (HERE / "Containerfile").read_bytes())
     write_tar(output / f"sdlc-{version}-linux-{machine}.tar.gz", f"sdlc-{version}",
-              [Entry("bin/sdlc", program, is_program=True), readme(), *notices()])
+              [Entry("bin/sdlc", program, is_program=True), readme(), container, *notices()])
     wheel(program, version, machine, output)
     npm(program, version, machine, output)
 

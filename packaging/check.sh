@@ -110,6 +110,7 @@ check_npm() {
   install 'npm install --offline --no-audit --no-fund /packages/*.tgz'
   use node_modules/.bin/sdlc
   shell 'rm bad.scene; npx --offline sdlc-lint ball.scene'
+  shell 'mkdir new && cd new && mv ../ball.scene . && npx --offline --yes --package /packages/sdlc-linux-*.tgz --package /packages/sdlc-lint-*.tgz sdlc-lint ball.scene'
 }
 
 for part; do "check_$part"; done

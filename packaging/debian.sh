@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by scripts that need a Debian 12 of their own, as root, with debootstrap.
 
 # make_debian FOLDER: an empty one, whose packages come from the mirror, with the certificates and proxies, of this

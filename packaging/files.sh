@@ -15,6 +15,7 @@ date=$(sed -n "s/^## $version - //p" "$changelog")
   exit 1
 }
 mkdir -p -- "$folder"
+folder=$(cd -P -- "$folder" && pwd -P)
 cd -- "$folder"
 
 put() { install -D -m 644 -- /dev/stdin "$1"; }
@@ -38,8 +39,16 @@ put mime/packages/sdlc.xml <"$here/sdlc.xml"
 put applications/sdlc.desktop <"$here/sdlc.desktop"
 put icons/hicolor/scalable/apps/sdlc.svg <"$here/../editors/vscode/icons/scene-light.svg"
 
-# The examples, and the documentation without its pictures.
-(cd -- "$here/.." && find docs examples -type f ! -path 'docs/images/*' ! -path 'docs/reports/*') | sort |
-  while read -r file; do
-    put "doc/sdlc/$file" <"$here/../$file"
+# The examples and the documentation: what git has, or all where there is no checkout. The large reports are left out;
+# links to them, and to the rest of the sources, become their text.
+cd -- "$here/.."
+outside='s#\[([^]]*)\]\((reports/|(\.\./)+((editors|grammar|render)/|CHANGELOG))[^)]*\)#\1#g'
+{ [[ -e .git ]] && git -c safe.directory='*' ls-files -- docs examples 2>/dev/null || find docs examples -type f; } |
+  LC_ALL=C sort | while read -r file; do
+    target=$folder/sdlc/doc/sdlc/$file
+    case $file in
+      docs/reports/*) ;;
+      *.md) sed -E "$outside" "$file" | put "$target" ;;
+      *) put "$target" <"$file" ;;
+    esac
   done

@@ -1,65 +1,79 @@
 #!/usr/bin/env python3
-"""usage: sbom.py VERSION OUTPUT
+"""usage: sbom.py VERSION FOLDER PACKAGE...
 
-Writes the bill of materials of sdlc's packages to OUTPUT, as CycloneDX 1.5: each library, with the version of the
-Debian package from which it was taken. THIRD_PARTY.md says what each is for.
+Writes the bill of materials of each package, sdlc, sdlc-openimageio or sdlc-static, to FOLDER/PACKAGE-VERSION.cdx.json,
+as CycloneDX 1.5: each library that it contains or links, as the table of THIRD_PARTY.md says, with the version of the
+Debian package from which it was taken.
 """
 
+import collections
 import json
+import pathlib
+import re
 import subprocess
 import sys
 
-# Debian's package, the name and the licence (SPDX) of each library that is part of a program or module.
-LIBRARIES = (
-    ("libopenimageio-dev", "OpenImageIO", "BSD-3-Clause"),
-    ("libpng-dev", "libpng", "libpng-2.0"),
-    ("libopenexr-dev", "OpenEXR", "BSD-3-Clause"),
-    ("libfmt-dev", "fmt", "MIT"),
-    ("tao-pegtl-dev", "PEGTL", "MIT"),
-    ("libcli11-dev", "CLI11", "BSD-3-Clause"),
-    ("nlohmann-json3-dev", "JSON for Modern C++", "MIT"),
-    ("libtomlplusplus-dev", "toml++", "MIT"),
-    ("libhwy-dev", "Highway", "Apache-2.0"),
-    ("libboost-dev", "Boost", "BSL-1.0"),
-    ("zlib1g-dev", "zlib", "Zlib"),
-    ("libc6-dev", "GNU C library", "LGPL-2.1-or-later"),
-    ("libstdc++-12-dev", "libstdc++", "GPL-3.0-or-later WITH GCC-exception-3.1"),
-)
+# `debian` is a package, `terms` are in SPDX's words, `joined` has `headers`, `shared library` or `static library`
+# for each of our packages that has the library.
+Library = collections.namedtuple("Library", "name debian terms joined")
+PACKAGES = {"sdlc", "sdlc-openimageio", "sdlc-static"}
+OUTSIDE = "not part of the program"
 
 
-def installed_versions():
-    """The versions of Debian's packages of any architecture, by name."""
-    names = [package for package, _, _ in LIBRARIES]
-    output = subprocess.run(["dpkg-query", "-W", "-f=${Package}\t${Version}\n", *names], capture_output=True, text=True)
-    return dict(line.split("\t") for line in output.stdout.splitlines())
+def libraries():
+    """The rows of THIRD_PARTY.md."""
+    text = (pathlib.Path(__file__).parent.parent / "THIRD_PARTY.md").read_text()
+    for row in re.findall(r"^\| (\[.*) \|$", text, re.M):
+        link, _, debian, terms, _, how = row.split(" | ")
+        joined = {}
+        for part in how.split("; ") if how != OUTSIDE else ():
+            kind, names = part.split(": ")
+            joined.update((name.strip("`"), kind) for name in names.split(", "))
+        if not PACKAGES.issuperset(joined):
+            sys.exit(f"THIRD_PARTY.md: {link} is joined with an unknown package: {how}")
+        yield Library(re.match(r"\[([^]]*)", link)[1], debian, terms.split(" (")[0], joined)
+
+
+def libraries_of(package):
+    return [library for library in libraries() if package in library.joined]
+
+
+def installed_version(debian):
+    """Of any architecture."""
+    output = subprocess.run(["dpkg-query", "-W", "-f=${db:Status-Status} ${Version}\n", debian], capture_output=True, text=True)
+    versions = [line.split()[1] for line in output.stdout.splitlines() if line.startswith("installed ")]
+    if not versions:
+        sys.exit(f"sbom.py: Debian's package {debian} is not installed, so its version is unknown")
+    return versions[0]
 
 
 def licence(expression):
     return {"expression": expression} if " " in expression else {"license": {"id": expression}}
 
 
-def bill(version):
-    versions = installed_versions()
-    components = [
-        {"type": "library", "name": name, "version": versions[package], "licenses": [licence(terms)],
-         "purl": f"pkg:deb/debian/{package.replace('+', '%2B')}@{versions[package].replace('+', '%2B')}"}
-        for package, name, terms in LIBRARIES if package in versions
-    ]
+def component(library):
+    version = installed_version(library.debian)
+    address = f"pkg:deb/debian/{library.debian}@{version}".replace("+", "%2B")
+    return {"type": "library", "name": library.name, "version": version, "licenses": [licence(library.terms)], "purl": address}
+
+
+def bill(package, version):
     return {
         "bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1,
-        "metadata": {"component": {"type": "application", "name": "sdlc", "version": version,
+        "metadata": {"component": {"type": "application", "name": package, "version": version,
                                    "licenses": [licence("Apache-2.0")]}},
-        "components": components,
+        "components": [component(library) for library in libraries_of(package)],
     }
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 4 or not PACKAGES.issuperset(sys.argv[3:]):
         sys.exit(__doc__)
-    with open(sys.argv[2], "w") as output:
-        json.dump(bill(sys.argv[1]), output, indent=2)
-        output.write("\n")
-    print(sys.argv[2])
+    version, folder = sys.argv[1:3]
+    for package in sys.argv[3:]:
+        path = pathlib.Path(folder, f"{package}-{version}.cdx.json")
+        path.write_text(json.dumps(bill(package, version), indent=2) + "\n")
+        print(path)
 
 
 if __name__ == "__main__":
