@@ -71,6 +71,8 @@ check_deb() {
   use sdlc
   shell 'sdlc render ball.scene -o ball.exr --width 64; ! sdlc render ball.scene -o ball.jpg 2>error; grep -q sdlc-openimageio error'
   shell 'test -s /usr/share/man/man1/sdlc-render.1.gz && test -s /usr/share/bash-completion/completions/sdlc'
+  # As in the image for Kubernetes of docs/farm.md.
+  shell 'sdlc farm ball.scene --engine kubernetes -o job --width 64 --samples 4 && sh job/task.sh render.tasks 0 && sh job/merge.sh && sdlc farm status job'
   shell 'rm -rf /mnt/*; apt-get purge -y --auto-remove sdlc >/dev/null 2>&1; find / -xdev | sort >/packages/after'
   if shell 'diff /packages/before /packages/after | grep "^>" | grep -vE " /(packages|proc|var/(cache|lib|log)|etc/ld.so.cache)"'; then
     echo '  left behind, see above'
