@@ -26,6 +26,9 @@ class WrongParameter : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// As in the program, but for calls: the stack cannot grow (wasm/system/stack_segments.cpp).
+inline constexpr lang::Limits kLimits{.calls = 300};
+
 // Parameters that several functions have
 
 /// `limits`, by the names of `--limit`, `sandbox`, and `sets`, values by the names of params.

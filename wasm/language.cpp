@@ -78,7 +78,7 @@ std::optional<std::string> text_of(const Json& parameters, const char* name) {
 }  // namespace
 
 lang::ProgramOptions program_options(const Json& parameters, lang::Workspace& workspace) {
-  lang::ProgramOptions options{.workspace = &workspace};
+  lang::ProgramOptions options{.workspace = &workspace, .limits = kLimits};
   options.is_sandboxed = parameters.value("sandbox", false);
   const Json limits = parameters.value("limits", Json::object());
   for (const auto& [name, value] : limits.items()) {

@@ -42,11 +42,13 @@ class LanguageServer {
   std::istringstream in_;  // it reads nothing
   std::ostringstream out_;
   lsp::Log log_;
-  lsp::Server server_{
-      in_,
-      out_,
-      log_,
-      {.version = SDLC_VERSION, .has_threads = false, .patience = std::chrono::milliseconds(0)}};
+  lsp::Server server_{in_,
+                      out_,
+                      log_,
+                      {.limits = kLimits,
+                       .version = SDLC_VERSION,
+                       .has_threads = false,
+                       .patience = std::chrono::milliseconds(0)}};
 };
 
 }  // namespace
