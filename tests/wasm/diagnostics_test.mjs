@@ -33,8 +33,9 @@ async function compare(files, texts) {
   });
 }
 
-for (const folder of ['mistakes', 'lint', 'lower', 'eval', 'syntax', 'complete', 'convert', 'format', 'json']) {
-  const texts = filesBelow(`tests/files/${folder}`).flatMap(textsOf);
+for (const folder of ['mistakes', 'lint', 'lower', 'eval', 'syntax', 'convert', 'format', 'json']) {
+  // Some ask for a file of the machine.
+  const texts = filesBelow(`tests/files/${folder}`).flatMap(textsOf).filter(([, text]) => !text.includes('/etc/'));
   test(`${texts.length} cases of tests/files/${folder}`, () => compare([], texts));
 }
 

@@ -41,8 +41,7 @@ export function textsOf(path) {
   const text = read(path).toString();
   const extension = path.endsWith('.txt') ? 'json' : 'scene';
   if (path.endsWith('.md')) {
-    return [...text.matchAll(/^```(scene|json)[^\n]*\n(.*?)^```$/gms)].map(
-      ([, language, block], index) => [`${path}/${index}.${language}`, block]);
+    return [...text.matchAll(/^```\w+ scene[^\n]*\n(.*?)^```$/gms)].map(([, block], index) => [`${path}/${index}.scene`, block]);
   }
   const [, ...parts] = text.split(/^--- (.*?) ---$\n?/m);
   const texts = [];
