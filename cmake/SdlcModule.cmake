@@ -10,8 +10,8 @@ target_precompile_headers(sdlc_precompiled PRIVATE ${SDLC_PRECOMPILED_HEADERS})
 # sdlc_module(NAME [PUBLIC target...] [PRIVATE target...] [EXCLUDE file...])
 #
 # The library of the current folder: target sdlc_NAME, known as sdlc::NAME, from every .cpp and .hpp in the
-# folder itself except the excluded ones. Includes are written from the root of the repository. A folder
-# without .cpp files becomes an interface library. Each call is recorded in the global property SDLC_MODULES;
+# folder itself except the excluded ones, and those of SDLC_REPLACED_SOURCES. Includes are written from the root of
+# the repository. A folder without .cpp files becomes an interface library. Each call is recorded in the global property SDLC_MODULES;
 # a test uses it to check that a folder includes only modules that it declares here.
 function(sdlc_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PUBLIC;PRIVATE;EXCLUDE")
@@ -22,7 +22,7 @@ function(sdlc_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.hpp)
   list(TRANSFORM arg_EXCLUDE PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-  list(REMOVE_ITEM sources ${arg_EXCLUDE})
+  list(REMOVE_ITEM sources ${arg_EXCLUDE} ${SDLC_REPLACED_SOURCES})
   set(target sdlc_${name})
   if(sources)
     add_library(${target} STATIC ${sources})

@@ -12,10 +12,10 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 Checks::Checks(const lang::FileSystem& disk, const lang::ProgramOptions& options, Log& log,
-               OnChecked on_checked)
+               OnChecked on_checked, bool has_thread)
     : on_checked_(std::move(on_checked)), log_(log), workspace_(disk), options_(options) {
   options_.workspace = &workspace_;
-  thread_ = std::thread([this] { run(); });
+  if (has_thread) thread_ = std::thread([this] { run(); });
 }
 
 Checks::~Checks() {
@@ -25,7 +25,7 @@ Checks::~Checks() {
     if (stop_) stop_->make();
   }
   wake_.notify_all();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 void Checks::change(const OpenFile& file) {
@@ -93,14 +93,26 @@ void Checks::run() {
       wake_.wait(lock);
     } else if (Clock::now() < quiet_until_) {
       wake_.wait_until(lock, quiet_until_);
-    } else if (!changes_.empty()) {
-      apply_changes(lock);
-    } else if (const fs::path* scene = next_due()) {
-      check(lock, fs::path(*scene));
-    } else {
+    } else if (!step(lock)) {
       wake_.wait(lock);
     }
   }
+}
+
+void Checks::run_due() {
+  std::unique_lock lock(mutex_);
+  while (step(lock)) {
+  }
+}
+
+bool Checks::step(std::unique_lock<std::mutex>& lock) {
+  if (!changes_.empty()) {
+    apply_changes(lock);
+    return true;
+  }
+  const fs::path* const scene = next_due();
+  if (scene != nullptr) check(lock, fs::path(*scene));
+  return scene != nullptr;
 }
 
 void Checks::apply_changes(std::unique_lock<std::mutex>& lock) {

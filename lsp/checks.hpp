@@ -25,9 +25,9 @@
 
 namespace sdlc::lsp {
 
-/// Checks scenes on a thread of its own: each that is affected by a change, whole. A change stops
-/// the check that runs, unless it does not affect that scene. All functions may be called by every
-/// thread.
+/// Checks scenes on a thread of its own, if it has one: each that is affected by a change, whole. A
+/// change stops the check that runs, unless it does not affect that scene. All functions may be
+/// called by every thread.
 class Checks {
  public:
   /// A check that has ended, or the reason why the scene could not be read. On the thread of the
@@ -50,8 +50,9 @@ class Checks {
     Checks& checks_;
   };
 
+  /// Without a thread, run_due() does the work.
   Checks(const lang::FileSystem& disk, const lang::ProgramOptions& options, Log& log,
-         OnChecked on_checked);
+         OnChecked on_checked, bool has_thread = true);
   /// Stops the check that runs.
   ~Checks();
   Checks(const Checks&) = delete;
@@ -63,6 +64,8 @@ class Checks {
   /// Files on disk may have changed: all scenes are checked again.
   void check_all();
   void set_sandboxed(bool is_sandboxed);
+  /// Makes all checks that are due, on the calling thread.
+  void run_due();
   /// Replaces the scenes to check, by identity; checks the new ones.
   void set_scenes(std::set<std::filesystem::path> scenes);
 
@@ -93,6 +96,8 @@ class Checks {
   void set_paused(bool is_paused);
   void add(Change change, bool waits_for_keys);
   void run();
+  /// Does the next piece of work. False if there is none.
+  bool step(std::unique_lock<std::mutex>& lock);
   void apply_changes(std::unique_lock<std::mutex>& lock);
   /// The scene to check next; null if none is due. The file changed last comes first.
   const std::filesystem::path* next_due() const;

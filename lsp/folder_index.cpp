@@ -21,11 +21,11 @@ constexpr milliseconds kReportInterval{200};
 
 }  // namespace
 
-FolderIndex::FolderIndex(const lang::FileSystem& files, Events events, std::size_t max_scenes)
-    : files_(files),
-      events_(std::move(events)),
-      max_scenes_(max_scenes),
-      thread_([this] { run(); }) {}
+FolderIndex::FolderIndex(const lang::FileSystem& files, Events events, std::size_t max_scenes,
+                         bool has_thread)
+    : files_(files), events_(std::move(events)), max_scenes_(max_scenes), has_thread_(has_thread) {
+  if (has_thread_) thread_ = std::thread([this] { run(); });
+}
 
 FolderIndex::~FolderIndex() {
   {
@@ -33,7 +33,7 @@ FolderIndex::~FolderIndex() {
     stop_.make();
   }
   wake_.notify_one();
-  thread_.join();
+  if (has_thread_) thread_.join();
 }
 
 // Changes
@@ -65,7 +65,8 @@ void FolderIndex::open(const fs::path& path, std::shared_ptr<const std::string> 
   const std::scoped_lock lock(mutex_);
   const bool is_new = !open_.contains(identity);
   open_[identity] = std::move(text);
-  updates_[std::move(identity)] = Clock::now() + (is_new ? milliseconds(0) : kQuietTime);
+  const bool waits = has_thread_ && !is_new;
+  updates_[std::move(identity)] = Clock::now() + (waits ? kQuietTime : milliseconds(0));
   wake_.notify_one();
 }
 
@@ -170,6 +171,17 @@ void FolderIndex::run() {
     call(lock, [&] {
       if (events_.end) events_.end(progress_);
     });
+}
+
+void FolderIndex::run_due() {
+  std::unique_lock lock(mutex_);
+  while (has_work()) {
+    try {
+      step(lock);
+    } catch (const std::exception&) {  // out of memory: without that file
+      if (!lock.owns_lock()) lock.lock();
+    }
+  }
 }
 
 bool FolderIndex::has_work() const {

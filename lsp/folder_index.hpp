@@ -24,9 +24,9 @@
 namespace sdlc::lsp {
 
 /// What the scenes in the folders of a workspace import and include, and the names that they
-/// declare: read in the background, on a thread of its own, and kept without their texts. Open
-/// texts win over their files. Paths in answers are identities (lang::FileSystem). All functions
-/// may be called by every thread.
+/// declare: read in the background, on a thread of its own if it has one, and kept without their
+/// texts. Open texts win over their files. Paths in answers are identities (lang::FileSystem). All
+/// functions may be called by every thread.
 class FolderIndex {
  public:
   struct Progress {
@@ -47,8 +47,10 @@ class FolderIndex {
 
   static constexpr std::size_t kMaxScenes = 10'000;
 
-  /// `files` must outlive the index, and may be used by several threads.
-  FolderIndex(const lang::FileSystem& files, Events events, std::size_t max_scenes = kMaxScenes);
+  /// `files` must outlive the index, and may be used by several threads. Without a thread,
+  /// run_due() does the work.
+  FolderIndex(const lang::FileSystem& files, Events events, std::size_t max_scenes = kMaxScenes,
+              bool has_thread = true);
   /// Stops at once, in the middle of a file if need be.
   ~FolderIndex();
   FolderIndex(const FolderIndex&) = delete;
@@ -56,6 +58,8 @@ class FolderIndex {
 
   /// Of the columns of symbols; call it before set_folders().
   void set_encoding(lang::PositionEncoding encoding);
+  /// Does all work that is due, on the calling thread.
+  void run_due();
   /// Replaces the folders and walks all of them.
   void set_folders(const std::vector<std::filesystem::path>& folders);
 
@@ -108,6 +112,7 @@ class FolderIndex {
   const lang::FileSystem& files_;
   const Events events_;
   const std::size_t max_scenes_;
+  const bool has_thread_;
   lang::StopRequest stop_;
 
   mutable std::mutex mutex_;  // for everything below

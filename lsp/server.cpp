@@ -31,23 +31,48 @@ void Server::read_messages() {
   while (true) {
     try {
       std::optional<Message> message = reader_.next();
-      if (!message) return;
-      if (message->method == "exit") {
-        was_asked_to_exit_ = true;
-        return;
-      }
-      if (message->method == "$/cancelRequest" && !message->is_request()) {
-        if (message->params.is_object() && message->params.contains("id")) {
-          cancel(message->params.at("id"));
-        }
-      } else {
-        add({.message = std::move(*message), .stop = std::make_shared<lang::StopRequest>()});
-      }
+      if (!message || !take(std::move(*message))) return;
     } catch (const MalformedMessage& malformed) {
-      log_.write(fmt::format("malformed message: {}", malformed.reason));
-      connection_.fail(malformed.id, malformed.code, malformed.reason);
+      refuse(malformed);
     }
   }
+}
+
+void Server::receive(std::string_view message) {
+  log_.received(message);
+  try {
+    take(parse_message(message));
+  } catch (const MalformedMessage& malformed) {
+    refuse(malformed);
+  }
+  std::unique_lock lock(mutex_);
+  while (!queue_.empty()) {
+    handle_first(lock);
+    if (!queue_.empty()) continue;
+    lock.unlock();
+    session_.run_due();  // it may add tasks
+    lock.lock();
+  }
+}
+
+bool Server::take(Message message) {
+  if (message.method == "exit") {
+    was_asked_to_exit_ = true;
+    return false;
+  }
+  if (message.method == "$/cancelRequest" && !message.is_request()) {
+    if (message.params.is_object() && message.params.contains("id")) {
+      cancel(message.params.at("id"));
+    }
+  } else {
+    add({.message = std::move(message), .stop = std::make_shared<lang::StopRequest>()});
+  }
+  return true;
+}
+
+void Server::refuse(const MalformedMessage& malformed) {
+  log_.write(fmt::format("malformed message: {}", malformed.reason));
+  connection_.fail(malformed.id, malformed.code, malformed.reason);
 }
 
 void Server::add(Received received) {
@@ -80,13 +105,17 @@ void Server::handle_messages() {
   while (true) {
     arrived_.wait(lock, [this] { return is_ended_ || !queue_.empty(); });
     if (queue_.empty()) return;
-    const Received received = std::move(queue_.front());
-    queue_.pop_front();
-    lock.unlock();
-    handle(received);
-    lock.lock();
-    if (received.message.is_request()) active_.erase(received.message.id.dump());
+    handle_first(lock);
   }
+}
+
+void Server::handle_first(std::unique_lock<std::mutex>& lock) {
+  const Received received = std::move(queue_.front());
+  queue_.pop_front();
+  lock.unlock();
+  handle(received);
+  lock.lock();
+  if (received.message.is_request()) active_.erase(received.message.id.dump());
 }
 
 void Server::handle(const Received& received) {

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 #include "lang/diagnostics/diagnostics.hpp"
 #include "lsp/connection.hpp"
@@ -31,6 +32,10 @@ class Server {
   /// `shutdown` and then `exit`.
   bool run();
 
+  /// Without threads (ServerOptions) instead of run(): handles the JSON text of a message and does
+  /// all work that follows from it.
+  void receive(std::string_view message);
+
  private:
   struct Received {
     Message message = {};
@@ -41,12 +46,16 @@ class Server {
 
   // On the thread that reads
   void read_messages();
+  /// False if the client says `exit`.
+  bool take(Message message);
+  void refuse(const MalformedMessage& malformed);
   void add(Received received);
   void cancel(const Json& id);
   void stop_all();
 
   // On the thread that handles messages
   void handle_messages();
+  void handle_first(std::unique_lock<std::mutex>& lock);
   void handle(const Received& received);
   void answer(const Received& received);
   Json result_of(const Message& request);

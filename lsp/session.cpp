@@ -26,15 +26,24 @@ Session::Session(Connection& connection, Log& log, const ServerOptions& options,
       server_options_(options),
       publisher_(disk_, connection),
       index_progress_(connection),
-      index_(disk_, {.begin = [this] { index_progress_.begin(); },
-                     .report = [this](const auto& progress) { index_progress_.report(progress); },
-                     .end = [this](const auto& progress) { index_progress_.end(progress); },
-                     .changed = [this] { post_([this] { update_scenes(); }); }}),
-      checks_(disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
-              [this](const Checks::Result& result) {
-                publisher_.publish(result);
-                post_([this, scene = result.scene] { review_choices(scene); });
-              }) {}
+      index_(disk_,
+             {.begin = [this] { index_progress_.begin(); },
+              .report = [this](const auto& progress) { index_progress_.report(progress); },
+              .end = [this](const auto& progress) { index_progress_.end(progress); },
+              .changed = [this] { post_([this] { update_scenes(); }); }},
+             FolderIndex::kMaxScenes, options.has_threads),
+      checks_(
+          disk_, {.limits = options.limits, .is_sandboxed = options.is_sandboxed}, log,
+          [this](const Checks::Result& result) {
+            publisher_.publish(result);
+            post_([this, scene = result.scene] { review_choices(scene); });
+          },
+          options.has_threads) {}
+
+void Session::run_due() {
+  index_.run_due();
+  checks().run_due();
+}
 
 RenderRuns& Session::renders() {
   if (!renders_) {

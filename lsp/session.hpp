@@ -65,6 +65,8 @@ class Session {
   /// A warning that the editor shows, unless it has shown it before.
   void show_once(const std::string& warning);
   const FolderIndex& index() const noexcept { return index_; }
+  /// Without threads: does what they would do now.
+  void run_due();
   /// Made on first use. Throws std::system_error.
   RenderRuns& renders();
   /// Made on first use.

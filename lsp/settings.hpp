@@ -16,6 +16,7 @@ struct ServerOptions {
   bool is_sandboxed = false;               ///< a client cannot turn it off
   std::string version = {};                ///< of sdlc
   std::string program = "/proc/self/exe";  ///< renders: `sdlc` itself
+  bool has_threads = true;                 ///< otherwise Server::receive() does all work
   /// How long a request waits for findings or for the folders to be read. Then it is answered
   /// without them.
   std::chrono::milliseconds patience{5000};

@@ -132,9 +132,10 @@ bool SceneBuilder::may_take_more_memory(Location where) {
 }
 
 std::uint64_t SceneBuilder::max_objects() const noexcept {
-  const std::uint64_t free = limits_.memory - std::min(limits_.memory, CountedBytes::sum());
-  return std::min(limits_.objects,
-                  world_.spheres.size() + repeats_.object_count() + free / kBytesPerSphere);
+  const std::uint64_t free =
+      limits_.memory - std::min<std::uint64_t>(limits_.memory, CountedBytes::sum());
+  return std::min<std::uint64_t>(
+      limits_.objects, world_.spheres.size() + repeats_.object_count() + free / kBytesPerSphere);
 }
 
 void SceneBuilder::forget_spheres() {
