@@ -11,15 +11,29 @@
 namespace sdlc::wasm {
 namespace {
 
+Json version(const Json& /*parameters*/) { return {{"version", SDLC_VERSION}}; }
+
 struct Call {
   std::string_view name;
   Json (*function)(const Json& parameters);
 };
 
 constexpr Call kCalls[] = {
-    {"lint", lint},       {"fix", fix},         {"format", format},      {"convert", convert},
-    {"explain", explain}, {"receive", receive}, {"start", start_render}, {"step", step_render},
-    {"pick", pick},       {"end", end_render},
+    {"version", version},
+    {"lint", lint},
+    {"fix", fix},
+    {"format", format},
+    {"convert", convert},
+    {"explain", explain},
+    {"receive", receive},
+    {"start", start_render},
+    {"step", step_render},
+    {"pick", pick},
+    {"end", end_render},
+    {"start_preview", start_preview},
+    {"change_preview", change_preview},
+    {"tell_preview", tell_preview},
+    {"step_preview", step_preview},
 };
 
 Json result_of(std::string_view name, std::string_view parameters) {
@@ -59,6 +73,10 @@ EMSCRIPTEN_KEEPALIVE const char* sdlc_call(const char* name, const char* paramet
   const sdlc::wasm::Json answer = sdlc::wasm::answer_to(name, parameters);
   text = answer.dump(-1, ' ', false, sdlc::wasm::Json::error_handler_t::replace);
   return text.c_str();
+}
+
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* sdlc_preview_picture() {
+  return sdlc::wasm::preview_picture().data();
 }
 
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* sdlc_pixels() {

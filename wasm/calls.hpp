@@ -10,8 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "lang/diagnostics/diagnostics.hpp"
+#include "lang/lower/overrides.hpp"
 #include "lang/program/program.hpp"
 #include "lang/workspace/workspace.hpp"
+#include "render/kernel/kernel.hpp"
 
 /// The functions of the WebAssembly module: each takes an object of parameters and returns the
 /// object that wasm/index.mjs documents. They run on one thread, one at a time; files are those of
@@ -36,6 +38,11 @@ lang::ProgramOptions program_options(const Json& parameters, lang::Workspace& wo
 /// The text of `file`; limits are those of `options`. Throws WrongParameter if it cannot be read.
 std::shared_ptr<const lang::Document> read_file(const Json& parameters,
                                                 const lang::ProgramOptions& options);
+/// `render`, properties by their names, and `seconds`, `adaptive`, `denoise`, `pose`, as the flags
+/// of `sdlc render`. Throws WrongParameter.
+lang::Overrides overrides_of(const Json& parameters);
+/// `kernel`, as `--kernel`.
+render::KernelRequest request_of(const Json& parameters);
 /// What `sdlc lint --format json` prints, of findings that no comment allows.
 Json findings_json(const lang::DiagnosticSink& sink);
 
@@ -60,5 +67,14 @@ Json end_render(const Json& parameters);
 /// The picture after the last step: red, green, blue and 255 of each pixel, row by row from the
 /// top.
 std::span<const std::uint8_t> rendered_pixels();
+
+// preview.cpp
+
+Json start_preview(const Json& parameters);
+Json change_preview(const Json& parameters);
+Json tell_preview(const Json& parameters);
+Json step_preview(const Json& parameters);
+/// The binary message of docs/serve.md that the last step has made.
+std::span<const std::uint8_t> preview_picture();
 
 }  // namespace sdlc::wasm

@@ -2,7 +2,8 @@
  * sdlc in a page, in a worker or in Node: the checker, the formatter, the language server and the renderer.
  *
  * An engine computes on the thread that calls it, so a page makes it in a worker. All functions but `createEngine` are
- * synchronous. Files are in memory: scenes, and what they import, include or read. Relative paths start at `/`.
+ * synchronous. Files are in memory: scenes, and what they import, include or read. Relative paths start at `/`, or at
+ * the folder of `enterFolder()`.
  */
 
 const isNode = typeof process === 'object' && process.versions?.node !== undefined;
@@ -85,7 +86,19 @@ export class Engine {
   /** Whether every call fails now. */
   get isDead() { return this.#isDead; }
 
+  /** The threads of renders. */
+  get threads() { return this.#threads; }
+
+  /** Of sdlc: "0.2.0". */
+  get version() { return this.#call('version', {}).version; }
+
   // Files
+
+  /** Relative paths start at this folder, which is made. @param {string} path */
+  enterFolder(path) {
+    this.#module.FS.mkdirTree(path);
+    this.#module.FS.chdir(path);
+  }
 
   /** @param {string} path @param {string | Uint8Array} content UTF-8 or bytes; replaces a file */
   writeFile(path, content) {
@@ -157,6 +170,33 @@ export class Engine {
   close() {
     this.#isDead = true;
     this.#module.PThread?.terminateAllThreads();
+  }
+
+  // A picture page: the messages are those of docs/serve.md
+
+  /** Begins to show a scene, as `sdlc serve` does; the options are those of startRender(), and `arguments`, those of
+   * the command `sdlc render` that the page shows. */
+  startPreview(file, options = {}) {
+    this.#call('start_preview', { ...options, file, render: { threads: this.#threads, ...options.render } });
+  }
+
+  /** Tells that `files` have changed, or where the `cursor` is: `{path, line, column}`. */
+  changePreview(change) { this.#call('change_preview', change); }
+
+  /** @param {object} message from the page */
+  tellPreview(message) { this.#call('tell_preview', { message: JSON.stringify(message) }); }
+
+  /** Compiles what has changed, renders for about so many milliseconds, and answers.
+   * @returns {object} `messages` to the page, `picture`: the binary one, an ArrayBuffer or null; `opened`: places that
+   * were clicked; `hasWork`: whether the picture is not finished. */
+  stepPreview(milliseconds = 30) {
+    const { messages, opened, picture_bytes: size, has_work: hasWork } = this.#call('step_preview', { milliseconds });
+    let picture = null;
+    if (size > 0) {
+      const begin = this.#module._sdlc_preview_picture();
+      picture = new Uint8Array(new Uint8Array(this.#memory.buffer, begin, size)).buffer;
+    }
+    return { messages, opened, picture, hasWork };
   }
 
   #call(name, parameters) {

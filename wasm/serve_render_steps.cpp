@@ -1,0 +1,65 @@
+#include "wasm/serve_render_steps.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include "render/math/clock.hpp"
+#include "render/session/render_film.hpp"
+
+namespace sdlc::wasm {
+
+void ServeRenderSteps::start(Order order, const cli::Environment& env) {
+  job_.reset();  // before the next: both may not fit into memory
+  render::StoredFilm film = render::new_film(*order.prepared, {}, "sdlc", order.settings);
+  job_.emplace(Job{.order = std::move(order), .env = env, .film = std::move(film)});
+}
+
+void ServeRenderSteps::cancel() { job_.reset(); }
+
+cli::ServeRender::Progress ServeRenderSteps::progress() const {
+  if (!job_) return {};
+  render::RenderMonitor monitor;
+  monitor.samples_done = job_->samples;
+  monitor.goal_share = job_->goal_share;
+  Progress progress = progress_of(job_->order.settings, monitor, job_->seconds);
+  progress.is_paused = !is_watched_;
+  return progress;
+}
+
+void ServeRenderSteps::step(double seconds) {
+  const auto start = render::Clock::now();
+  bool is_finished = false;
+  const bool has_worked =
+      report(job_->order, job_->env, [&] { is_finished = trace(*job_, seconds); });
+  if (is_finished || !has_worked) {
+    job_.reset();
+  } else {
+    job_->seconds += render::seconds_since(start);
+  }
+}
+
+bool ServeRenderSteps::trace(Job& job, double seconds) {
+  const auto deadline = render::Clock::now() + std::chrono::duration<double>(seconds);
+  render::RenderMonitor monitor;
+  if (!std::exchange(job.has_looked, true)) show_first_look(job.order, monitor);
+  const auto stop_when_due = [&] {
+    if (render::Clock::now() >= deadline) monitor.cancel = true;
+  };
+  monitor.shows_passes = true;
+  monitor.before_tile = stop_when_due;
+  monitor.on_pass = [&](const render::Film& film,
+                        const std::function<render::ErrorSoFar()>& error) {
+    show_pass(job.order, film, error);
+    stop_when_due();
+  };
+  const Order& order = job.order;
+  render::RenderResult result =
+      render::render(*order.prepared, order.settings, monitor, &job.film, order.start);
+  job.samples = result.camera_samples;
+  job.goal_share = monitor.goal_share;
+  if (!result.is_complete) return false;
+  show_finished(order, std::move(result));
+  return true;
+}
+
+}  // namespace sdlc::wasm
