@@ -101,8 +101,9 @@ Json RenderSession::step(double seconds) {
   const auto deadline = render::Clock::now() + std::chrono::duration<double>(seconds);
   render::RenderMonitor monitor;
   monitor.shows_passes = true;
+  // Not before there is progress: to begin may take longer than the step.
   const auto stop_when_due = [&] {
-    if (render::Clock::now() >= deadline) monitor.cancel = true;
+    if (render::Clock::now() >= deadline && monitor.samples_done > 0) monitor.cancel = true;
   };
   monitor.before_tile = stop_when_due;
   monitor.on_pass = [&](const render::Film& /*film*/, const auto& error) {

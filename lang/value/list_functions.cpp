@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -257,7 +258,10 @@ Value evaluate_range(const BuiltinCall& call) {
   const auto count =
       is_whole_range ? count_of_whole(first, end, step) : count_of_fractions(first, end, step);
   if (!count) return no_result(call, "so small a step");
-  const auto size = static_cast<std::size_t>(*count);
+  // Where sizes have 32 bits, a longer list takes too many steps anyway.
+  constexpr auto kMaxSize = static_cast<double>(std::numeric_limits<std::uint32_t>::max());
+  const auto size =
+      static_cast<std::size_t>(sizeof(std::size_t) < 8 ? std::min(*count, kMaxSize) : *count);
   return has_angles ? ListValue(Angle{first}, step, size)
                     : ListValue(Scalar{first, unit}, step, size);
 }
