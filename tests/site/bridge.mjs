@@ -53,6 +53,8 @@ function connect(socket, program, received) {
     }
   });
 
+  let files = {};
+  let main;
   let flags = [];
   let serve;      // the program that renders
   let live;       // its WebSocket
@@ -65,10 +67,13 @@ function connect(socket, program, received) {
     serve = live = undefined;
     early = [...kept.values()];
   }
-  function render(main) {
+  const tellServe = (message) => serve?.stdin.write(`${JSON.stringify(message)}\n`);
+  const edit = (name, text) => tellServe({ type: 'text', path: join(folder, name), text });
+  function render() {
     stop();
     const started = spawn(program, ['serve', main, '--editor', ...flags], { cwd: folder, stdio: ['pipe', 'pipe', 'inherit'] });
     serve = started;
+    for (const [name, text] of Object.entries(files)) edit(name, text);
     let lines = '';
     started.stdout.on('data', (data) => {
       lines += data;
@@ -88,8 +93,6 @@ function connect(socket, program, received) {
     });
   }
 
-  let files = {};
-  let main;
   const handlers = {
     start: () => send({ from: 'ready', version: 'stand-in', threads: 1 }),
     files(message) {
@@ -107,18 +110,19 @@ function connect(socket, program, received) {
       const wasMain = main;
       main = message.main;
       if (!message.render) stop();
-      else if (!serve || main !== wasMain) render(main);
+      else if (!serve || main !== wasMain) render();
+      else changed.forEach(([name, text]) => edit(name, text));
     },
     settings(message) {
       flags = message.arguments;
-      if (serve) render(main);
+      if (serve) render();
     },
     preview({ message }) {
       if (message.type === 'view' || message.type === 'visible') kept.set(message.type, message);
       toLive(message);
     },
     cursor({ path, ...place }) {
-      serve?.stdin.write(`${JSON.stringify({ type: 'cursor', path: join(folder, path), ...place })}\n`);
+      tellServe({ type: 'cursor', path: join(folder, path), line: place.line, column: place.column });
     },
     stop() {
       stop();
