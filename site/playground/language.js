@@ -264,6 +264,8 @@ export class Language {
     }));
     this.onFindings(name, findings);
     if (!file || findings.length === 0) return;
+    await new Promise((resolve) => setTimeout(resolve, 100)); // the next key may come
+    if (this.#mappings.get(uri) !== mapping) return;
     const end = { line: doc.lines - 1, character: doc.line(doc.lines).length };
     const actions = await client.request('textDocument/codeAction', {
       textDocument: { uri },

@@ -162,21 +162,24 @@ function stored(key) {
 
 /** Puts the project into the browser's storage and the address. Returns the address, or null if it is too long. */
 let lastKeep = 0;
+let fragment = ''; // the last one that was put into the address
+const storeNow = () => store(kStored, { ...snapshot(), fragment });
 async function keep() {
   const now = snapshot();
   const number = ++lastKeep;
-  store(kStored, now);
-  const fragment = await toFragment(now);
+  const made = await toFragment(now);
   if (number !== lastKeep) return keep();
-  const isTooLong = fragment.length > kMaxLink;
+  const isTooLong = made.length > kMaxLink;
+  fragment = isTooLong ? '' : made;
+  storeNow();
   history.replaceState(null, '', isTooLong ? location.pathname + location.search : `#${fragment}`);
   return isTooLong ? null : location.href;
 }
 const keepSoon = later(400, keep);
-addEventListener('pagehide', () => store(kStored, snapshot()));
+addEventListener('pagehide', storeNow);
 
 function keepNow() {
-  const isKept = store(kStored, snapshot());
+  const isKept = storeNow();
   keep();
   notify(isKept ? 'The text is kept in this browser.' : 'This browser keeps nothing: copy the link or the text.');
   return true;
@@ -615,6 +618,8 @@ async function startServiceWorker() {
     // Once: a server or a browser may not let it.
     if (!crossOriginIsolated && !sessionStorage.getItem('sdlc-isolating')) {
       sessionStorage.setItem('sdlc-isolating', '1');
+      // Browsers may bring back this page from their cache of pages.
+      addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
       location.reload();
       await new Promise(() => {});
     }
@@ -633,7 +638,7 @@ async function startEngine() {
 }
 
 async function openLink() {
-  if (location.hash.length < 2) return null;
+  if (location.hash.length < 2 || location.hash === '#text') return null; // the latter skips the header
   try {
     return await fromFragment(location.hash.slice(1));
   } catch (error) {
@@ -647,7 +652,8 @@ async function start() {
   const own = stored(kStored);
   const first = { files: { 'main.scene': $('first-scene').content.textContent }, main: 'main.scene', settings: kDefaults };
   if (stored(kBefore)) offerBefore();
-  const linked = await openLink();
+  // The address is older than what is kept if the page was left at once.
+  const linked = location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
   if (own && linked) replace(linked, 'This text is from the link. What this browser had kept is not lost.');
   addEventListener('hashchange', async () => {

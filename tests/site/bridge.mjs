@@ -59,6 +59,7 @@ function connect(socket, program, received) {
   let serve;      // the program that renders
   let live;       // its WebSocket
   let early = []; // messages to it
+  let choices;    // until it knows the scene
   const kept = new Map(); // the last `view` and `visible`
   const toLive = (message) => live?.readyState === WebSocket.OPEN ? live.send(JSON.stringify(message)) : early.push(message);
   function stop() {
@@ -71,6 +72,7 @@ function connect(socket, program, received) {
   const edit = (name, text) => tellServe({ type: 'text', path: join(folder, name), text });
   function render() {
     stop();
+    choices = [];
     const started = spawn(program, ['serve', main, '--editor', ...flags], { cwd: folder, stdio: ['pipe', 'pipe', 'inherit'] });
     serve = started;
     for (const [name, text] of Object.entries(files)) edit(name, text);
@@ -86,6 +88,11 @@ function connect(socket, program, received) {
         live.on('message', (answer, isBinary) => {
           if (live !== socketNow) return;
           if (isBinary) return socket.send(answer, { binary: true });
+          if (choices && JSON.parse(answer).type === 'scene') {
+            const chosen = choices;
+            choices = undefined;
+            chosen.forEach(toLive);
+          }
           send({ from: 'preview', message: JSON.parse(outOfFolder(answer.toString())) });
         });
         live.on('error', () => {});
@@ -101,12 +108,14 @@ function connect(socket, program, received) {
         mkdirSync(dirname(join(folder, name)), { recursive: true });
         writeFileSync(join(folder, name), text);
       }
-      for (const name of Object.keys(files)) if (!(name in message.files)) rmSync(join(folder, name));
-      files = message.files;
-      if (changed.length > 0) {
-        const changes = changed.map(([name]) => ({ uri: `file:///playground/${name}`, type: 2 }));
+      const removed = Object.keys(files).filter((name) => !(name in message.files));
+      for (const name of removed) rmSync(join(folder, name));
+      if (changed.length + removed.length > 0) {
+        const changes = changed.map(([name]) => ({ uri: `file:///playground/${name}`, type: name in files ? 2 : 1 }));
+        changes.push(...removed.map((name) => ({ uri: `file:///playground/${name}`, type: 3 })));
         tell({ jsonrpc: '2.0', method: 'workspace/didChangeWatchedFiles', params: { changes } });
       }
+      files = message.files;
       const wasMain = main;
       main = message.main;
       if (!message.render) stop();
@@ -119,7 +128,8 @@ function connect(socket, program, received) {
     },
     preview({ message }) {
       if (message.type === 'view' || message.type === 'visible') kept.set(message.type, message);
-      toLive(message);
+      if (message.type === 'choose' && choices) choices.push(message);
+      else toLive(message);
     },
     cursor({ path, ...place }) {
       tellServe({ type: 'cursor', path: join(folder, path), line: place.line, column: place.column });
