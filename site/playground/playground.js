@@ -163,7 +163,11 @@ function stored(key) {
 /** Puts the project into the browser's storage and the address. Returns the address, or null if it is too long. */
 let lastKeep = 0;
 let fragment = ''; // the last one that was put into the address
-const storeNow = () => store(kStored, { ...snapshot(), fragment });
+let isDirty = false; // whether anything has changed since it was stored
+function storeNow() {
+  isDirty = false;
+  return store(kStored, { ...snapshot(), fragment });
+}
 async function keep() {
   const now = snapshot();
   const number = ++lastKeep;
@@ -175,8 +179,12 @@ async function keep() {
   history.replaceState(null, '', isTooLong ? location.pathname + location.search : `#${fragment}`);
   return isTooLong ? null : location.href;
 }
-const keepSoon = later(400, keep);
-addEventListener('pagehide', storeNow);
+const keepLater = later(400, keep);
+function keepSoon() {
+  isDirty = true;
+  keepLater();
+}
+addEventListener('pagehide', () => isDirty && storeNow());
 
 function keepNow() {
   const isKept = storeNow();
@@ -596,41 +604,42 @@ for (const type of ['dragover', 'dragleave', 'drop']) {
 
 // The start
 
-/** The service worker keeps the page for use without a network, and lets it use threads. Resolves when it serves. */
+/**
+ * The service worker keeps the page for use without a network, and lets it use threads: for that, the page is loaded
+ * once more. Resolves when it serves, or if there is none.
+ */
 async function startServiceWorker() {
-  if (!navigator.serviceWorker) return;
-  try {
-    const registration = await navigator.serviceWorker.register('service-worker.js');
-    const offer = (worker) => {
-      notify('A new version of the playground is there.', ['Load it', () => worker.postMessage('replace')]);
-      navigator.serviceWorker.addEventListener('controllerchange', () => location.reload(), { once: true });
-    };
+  const workers = navigator.serviceWorker;
+  if (!workers) return;
+  const offer = (worker) => {
+    notify('A new version of the playground is there.', ['Load it', () => worker.postMessage('replace')]);
+    workers.addEventListener('controllerchange', () => location.reload(), { once: true });
+  };
+  const register = async () => {
+    const registration = await workers.register('service-worker.js');
     if (registration.waiting) offer(registration.waiting);
     registration.addEventListener('updatefound', () => {
       const { installing } = registration;
       installing.addEventListener('statechange', () => {
-        if (installing.state === 'installed' && navigator.serviceWorker.controller) offer(installing);
+        if (installing.state === 'installed' && workers.controller) offer(installing);
       });
     });
-    if (!navigator.serviceWorker.controller) {
-      await new Promise((resolve) => navigator.serviceWorker.addEventListener('controllerchange', resolve, { once: true }));
-    }
-    // Once: a server or a browser may not let it.
-    if (!crossOriginIsolated && !sessionStorage.getItem('sdlc-isolating')) {
-      sessionStorage.setItem('sdlc-isolating', '1');
-      // Browsers may bring back this page from their cache of pages.
-      addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
-      location.reload();
-      await new Promise(() => {});
-    }
-    sessionStorage.removeItem('sdlc-isolating');
-  } catch {
-    // Not in this browser, or not of this server: one thread, and no use without a network.
+  };
+  const hasFailed = register().then(() => new Promise(() => {}), () => true);
+  const serves = new Promise((resolve) => workers.addEventListener('controllerchange', () => resolve(false), { once: true }));
+  if (!workers.controller && (await Promise.race([hasFailed, serves]))) return;
+  // Once: a browser may not let it.
+  if (!crossOriginIsolated && !sessionStorage.getItem('sdlc-isolating')) {
+    sessionStorage.setItem('sdlc-isolating', '1');
+    // Browsers may bring back this page from their cache of pages.
+    addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
+    location.reload();
+    await new Promise(() => {});
   }
+  sessionStorage.removeItem('sdlc-isolating');
 }
 
 async function startEngine() {
-  await Promise.race([startServiceWorker(), new Promise((resolve) => setTimeout(resolve, 5000))]);
   const threads = crossOriginIsolated ? Math.min(16, navigator.hardwareConcurrency || 1) : 1;
   const name = document.body.dataset.engine.split(' ')[threads > 1 ? 1 : 0];
   const module = name ? await WebAssembly.compileStreaming(fetch(name)).catch(() => null) : null;
@@ -648,6 +657,10 @@ async function openLink() {
 }
 
 async function start() {
+  // Before any text is shown, because the page may be loaded once more. A slow network is not waited for.
+  if (location.protocol !== 'file:') {
+    await Promise.race([startServiceWorker(), new Promise((resolve) => setTimeout(resolve, 5000))]);
+  }
   view = new EditorView({ parent: $('editor') });
   const own = stored(kStored);
   const first = { files: { 'main.scene': $('first-scene').content.textContent }, main: 'main.scene', settings: kDefaults };
@@ -655,7 +668,12 @@ async function start() {
   // The address is older than what is kept if the page was left at once.
   const linked = location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
-  if (own && linked) replace(linked, 'This text is from the link. What this browser had kept is not lost.');
+  const example = new URLSearchParams(location.search).get('example');
+  if (example) {
+    history.replaceState(null, '', location.pathname);
+    const option = [...$('example').options].find(({ text }) => text === example);
+    if (option) await openExample(option.value);
+  } else if (own && linked) replace(linked, 'This text is from the link. What this browser had kept is not lost.');
   addEventListener('hashchange', async () => {
     const next = await openLink();
     if (next) replace(next, 'This text is from the link.');

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
+import { availableParallelism, loadavg, tmpdir } from 'node:os';
 import { extname, join } from 'node:path';
 import { after, before, describe, test as nodeTest } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -77,7 +77,7 @@ function tests(name, executablePath, args) {
       await page.goto(address.replace('index.html', 'licenses.txt'));
       await page.evaluate((text) => localStorage.setItem('sdlc-playground', text), JSON.stringify(start));
     }
-    await page.goto(address + fragment);
+    await page.goto(address + fragment, { waitUntil: 'domcontentloaded' });
     const close = async () => {
       assert.deepEqual(faults, []);
       await context.close();
@@ -87,7 +87,7 @@ function tests(name, executablePath, args) {
   /** The frame of the picture, as soon as its script runs. */
   async function pictureOf(page) {
     for (;;) {
-      const frame = page.frames().find((each) => each.url().endsWith('picture.html'));
+      const frame = await page.$('#picture').then((element) => element?.contentFrame()).catch(() => null);
       if (frame && await frame.evaluate('typeof takePicture === "function"').catch(() => false)) return frame;
       await new Promise((resolve) => setTimeout(resolve, 50));
     }
@@ -147,7 +147,8 @@ function tests(name, executablePath, args) {
     }
     const times = (await page.evaluate('times')).sort((a, b) => a - b);
     console.log(`${name}: marked after ${times.map(Math.round).join(', ')} ms`);
-    assert.ok(times[0] <= 100, 'a busy machine slows some down, not all');
+    const busy = Math.max(1, loadavg()[0] / availableParallelism());
+    assert.ok(times[0] <= 100 * busy, `the fastest of five, ${busy} programs per processor`);
     assert.match(await problems(page), /E104: unknown property `radious` of sphere[^]*main\.scene:8:36/);
     await page.waitForSelector('.fixes button');
     const [fix] = await page.$$('.fixes button');
@@ -301,6 +302,7 @@ function tests(name, executablePath, args) {
     assert.match(await textOf(page), /^scene 1 \/\/ kept/);
     await page.reload();
     await page.waitForSelector('.cm-line');
+    await title(page, 'No problems');
     assert.match(await textOf(page), /^scene 1 \/\/ kept/);
     await close();
   });
@@ -343,7 +345,7 @@ function tests(name, executablePath, args) {
     await page.keyboard.press('Escape');
     await submit('#new-file', 'ball.scene');
     await page.waitForFunction("document.querySelectorAll('#files button').length === 2");
-    await page.focus('.cm-content');
+    await goAfter(page, 'scene 1');
     await page.keyboard.type('\nsphere { center: (0, 0, 0), radius: 1 }');
     await submit('#change-file', 'parts/balls.scene');
     await title(page, 'No problems');
