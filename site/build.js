@@ -8,6 +8,7 @@ import { missingCharts } from './charts.js';
 import { Renderer, descriptionOf } from './examples.js';
 import { makeHighlighter } from './highlight.js';
 import { examine, makeMarkdown } from './markdown.js';
+import { buildPlayground } from './playground/build.js';
 import { collect, isExample, navigation, outputOf, relative } from './sources.js';
 import { searchIndex } from './search-index.js';
 
@@ -152,3 +153,10 @@ writeFileSync(
   join(output, 'assets/search-index.js'),
   `globalThis.searchIndex = ${JSON.stringify(searchIndex(pages, examples))};\n`,
 );
+await buildPlayground({
+  root,
+  output,
+  examples,
+  first: blockOf('README.md', ['scene']).content,
+  engine: process.env.SDLC_WASM,
+});

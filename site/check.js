@@ -38,7 +38,7 @@ function checkLinks(page) {
       continue;
     }
     const [path, fragment] = href.split('#');
-    const target = path ? posix.join(posix.dirname(page), path) : page;
+    const target = path ? posix.join(posix.dirname(page), path.replace(/\?.*/, '')) : page;
     if (href.startsWith('/') || !existsSync(join(site, target)) || !statSync(join(site, target)).isFile()) {
       find(page, `${href} is not there`);
     } else if (fragment && !ids(target).has(fragment)) {
@@ -71,7 +71,13 @@ function serve() {
     const name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname).slice(prefix.length);
     const path = join(site, name);
     if (!request.url.startsWith(prefix) || !files.includes(name)) return response.writeHead(404).end();
-    return response.writeHead(200, { 'content-type': types[extname(name)] ?? 'text/plain' }).end(readFileSync(path));
+    // With the headers for threads the playground need not be loaded again.
+    const headers = {
+      'content-type': types[extname(name)] ?? 'text/plain',
+      'cross-origin-opener-policy': 'same-origin',
+      'cross-origin-embedder-policy': 'require-corp',
+    };
+    return response.writeHead(200, headers).end(readFileSync(path));
   });
   return new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(server)));
 }

@@ -25,7 +25,8 @@ function send(message) {
 function connect() {
   const url = new URL('live', location.href);
   url.protocol = url.protocol.replace('http', 'ws');
-  socket = new WebSocket(url);
+  // The playground of the site has no server: its connection is to a worker.
+  socket = globalThis.openConnection?.() ?? new WebSocket(url);
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => {
     sendVisibility();

@@ -1,0 +1,77 @@
+// The worker that computes, and what is done if it fails. README.md has the messages.
+
+const kPatience = 1000; // ms that a stop may take
+
+/** `report(message)` takes the messages of the worker; those of kind `failed` come at most once per worker. */
+export class Engine {
+  #worker = null;
+  #module = null;
+  #threads = 1;
+  #lastPing = 0;
+  #stopTimer = 0;
+
+  constructor(report) {
+    this.report = report;
+  }
+
+  /** `module` is the compiled engine, so that a new worker starts at once; null: the worker loads what it needs. */
+  start(module, threads) {
+    this.#module = module;
+    this.#threads = threads;
+    this.restart();
+  }
+
+  restart() {
+    clearTimeout(this.#stopTimer);
+    this.#worker?.terminate();
+    let worker;
+    const fail = (text) => {
+      if (worker !== this.#worker) return;
+      this.#worker?.terminate();
+      this.#worker = null;
+      this.report({ from: 'failed', kind: 'defect', text });
+    };
+    try {
+      worker = new Worker('engine.js', { type: 'module' });
+    } catch (error) {
+      return this.report({ from: 'failed', kind: 'absent', text: error.message });
+    }
+    this.#worker = worker;
+    worker.onerror = (event) => {
+      event.preventDefault();
+      fail(event.message ?? 'it cannot be loaded');
+    };
+    worker.onmessage = ({ data }) => {
+      if (worker !== this.#worker) return;
+      if (data.from === 'pong') {
+        if (data.id === this.#lastPing) clearTimeout(this.#stopTimer);
+      } else if (data.from === 'failed') {
+        worker.terminate();
+        this.#worker = null;
+        this.report(data);
+      } else {
+        this.report(data);
+      }
+    };
+    this.post({ to: 'start', module: this.#module, threads: this.#threads });
+  }
+
+  get isRunning() {
+    return this.#worker !== null;
+  }
+
+  post(message) {
+    this.#worker?.postMessage(message);
+  }
+
+  /** Ends the render. A worker that does not answer is replaced; `onReplaced` is called before. */
+  stop(onReplaced) {
+    this.post({ to: 'stop' });
+    this.post({ to: 'ping', id: ++this.#lastPing });
+    clearTimeout(this.#stopTimer);
+    this.#stopTimer = setTimeout(() => {
+      onReplaced();
+      this.restart();
+    }, kPatience);
+  }
+}

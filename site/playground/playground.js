@@ -1,0 +1,686 @@
+// The playground: a project of files in an editor, the engine in a worker, and the picture's page beside them.
+// README.md says what is where.
+import { basicSetup } from 'codemirror';
+import { indentWithTab } from '@codemirror/commands';
+import { nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { formatDocument } from '@codemirror/lsp-client';
+import { EditorState, Prec } from '@codemirror/state';
+import { EditorView, keymap } from '@codemirror/view';
+import { Engine } from './engine-worker.js';
+import { Language, isScene, sceneLanguage } from './language.js';
+import { fromFragment, isName, isProject, kMaxLink, toFragment } from './link.js';
+
+const $ = (id) => document.getElementById(id);
+const kStored = 'sdlc-playground'; // the project
+const kBefore = 'sdlc-playground-before'; // that which it has replaced
+const kDefaults = { width: 480, error: 5 };
+
+/** Calls `action` once, `ms` after the last call. */
+function later(ms, action) {
+  let timer;
+  return () => {
+    clearTimeout(timer);
+    timer = setTimeout(action, ms);
+  };
+}
+
+function element(tag, text, properties = {}) {
+  return Object.assign(document.createElement(tag), { textContent: text, ...properties });
+}
+
+/** A sentence for everybody, with a button if there is an action: [label, function]. */
+function notify(text, action) {
+  $('notice').textContent = text;
+  $('notice-action').hidden = !action;
+  if (!action) return;
+  $('notice-action').textContent = action[0];
+  $('notice-action').onclick = () => {
+    notify('');
+    action[1]();
+  };
+}
+const announce = (text) => ($('announcement').textContent = text);
+
+// The project
+
+const states = new Map(); // by name
+let main; // the file that is rendered
+let current; // that in the editor
+let settings = kDefaults;
+let choices = {}; // what was chosen beside the picture: params, camera, frame, pose
+let view;
+
+const project = {
+  names: () => [...states.keys()],
+  doc: (name) => (name === current ? view.state.doc : states.get(name).doc),
+  change(name, update) {
+    const { state, changes } = states.get(name).update(update);
+    states.set(name, state);
+    hasChanged();
+    return changes;
+  },
+  show,
+};
+const snapshot = () => ({
+  files: Object.fromEntries(project.names().map((name) => [name, project.doc(name).toString()])),
+  main,
+  settings,
+  choices,
+});
+
+const engine = new Engine(takeMessage);
+const language = new Language(project, (message) => engine.post({ to: 'lsp', message }), takeFindings);
+
+const stateOf = (name, text) =>
+  EditorState.create({
+    doc: text,
+    extensions: [
+      Prec.high(
+        keymap.of([
+          { key: 'Shift-F8', run: previousDiagnostic },
+          { key: 'F8', run: nextDiagnostic },
+          { key: 'Mod-.', run: focusFix },
+          { key: 'Mod-s', run: keepNow, preventDefault: true },
+        ]),
+      ),
+      basicSetup,
+      keymap.of([indentWithTab]),
+      EditorState.tabSize.of(2),
+      EditorView.contentAttributes.of({ 'aria-label': `Text of ${name}`, 'aria-describedby': 'editor-help' }),
+      EditorView.updateListener.of((update) => {
+        if (update.docChanged) {
+          language.update(view, current);
+          hasChanged();
+        }
+        if (update.selectionSet) sendCursor();
+      }),
+      isScene(name) ? [sceneLanguage, language.extension(name)] : [],
+    ],
+  });
+
+/** Shows a file in the editor. */
+function show(name) {
+  if (name === current) return;
+  if (current && states.has(current)) states.set(current, view.state);
+  current = name;
+  view.setState(states.get(name));
+  language.update(view, name);
+  showFiles();
+  showFindings();
+}
+
+/** Replaces the project, without a way back. */
+function load(next) {
+  states.clear();
+  findings.clear();
+  current = undefined;
+  for (const [name, text] of Object.entries(next.files)) states.set(name, stateOf(name, text));
+  main = next.main;
+  settings = { ...next.settings };
+  const forgotten = Object.fromEntries(Object.keys(choices.params ?? {}).map((name) => [name, null]));
+  choices = next.choices ?? {};
+  $('width').value = settings.width ?? '';
+  $('error').value = settings.error ?? '';
+  language.client.workspace.reopen();
+  show(main);
+  sendProject({ params: { ...forgotten, ...choices.params }, camera: null, frame: null, pose: null, ...choices });
+  keep();
+}
+
+/** Replaces the project; the notice has the way back. */
+function replace(next, text) {
+  const old = snapshot();
+  load(next);
+  if (JSON.stringify(old.files) === JSON.stringify(next.files)) return;
+  store(kBefore, old);
+  notify(text, ['Back to the text before', () => replace(old, 'This is the text before.')]);
+  if (!$('example').querySelector('[value=before]')) offerBefore();
+}
+
+function offerBefore() {
+  $('example').append(element('option', 'the text before', { value: 'before' }));
+}
+
+// Keeping
+
+function store(key, value) {
+  try {
+    localStorage.setItem(key, JSON.stringify(value));
+    return true;
+  } catch {
+    return false; // the browser keeps nothing
+  }
+}
+function stored(key) {
+  try {
+    const value = JSON.parse(localStorage.getItem(key));
+    return isProject(value) ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Puts the project into the browser's storage and the address. Returns the address, or null if it is too long. */
+let lastKeep = 0;
+let fragment = ''; // the last one that was put into the address
+let isDirty = false; // whether anything has changed since it was stored
+function storeNow() {
+  isDirty = false;
+  return store(kStored, { ...snapshot(), fragment });
+}
+async function keep() {
+  const now = snapshot();
+  const number = ++lastKeep;
+  const made = await toFragment(now);
+  if (number !== lastKeep) return keep();
+  const isTooLong = made.length > kMaxLink;
+  fragment = isTooLong ? '' : made;
+  storeNow();
+  history.replaceState(null, '', isTooLong ? location.pathname + location.search : `#${fragment}`);
+  return isTooLong ? null : location.href;
+}
+const keepLater = later(400, keep);
+function keepSoon() {
+  isDirty = true;
+  keepLater();
+}
+addEventListener('pagehide', () => isDirty && storeNow());
+
+function keepNow() {
+  const isKept = storeNow();
+  keep();
+  notify(isKept ? 'The text is kept in this browser.' : 'This browser keeps nothing: copy the link or the text.');
+  return true;
+}
+
+async function copyLink() {
+  const link = await keep();
+  if (!link) {
+    const length = (await toFragment(snapshot())).length.toLocaleString('en');
+    return notify(`The link would have ${length} characters, more than many programs pass on. The text is kept in this
+      browser; to share it, send its files. Data files take most of a link: smaller ones help.`);
+  }
+  try {
+    await navigator.clipboard.writeText(link);
+    notify('The link is copied. It has the text, the settings and the choices.');
+  } catch {
+    notify('The browser refuses to copy. The address of this page is the link.');
+  }
+}
+
+// The engine
+
+let picture; // a port to the picture's page
+const pageState = {}; // its last messages `view` and `visible`, for a new worker
+let isStopped = false; // by the user or after a failure, until the next change
+let isReady = false;
+const work = { isAwaited: false, isRunning: false };
+
+const settingsArguments = () => [
+  ...(settings.width ? [`--width=${settings.width}`] : []),
+  ...(settings.error ? [`--error=${settings.error}%`] : []),
+];
+
+function sendFiles() {
+  const { files } = snapshot();
+  setWork({ isAwaited: isReady && !isStopped });
+  engine.post({ to: 'files', files, main, render: !isStopped });
+}
+function sendProject(chosen = choices) {
+  engine.post({ to: 'settings', arguments: settingsArguments() });
+  sendFiles();
+  if (Object.keys(chosen).length > 0) engine.post({ to: 'preview', message: { type: 'choose', ...chosen } });
+}
+const sendFilesSoon = later(100, sendFiles); // after the findings, which are wanted first
+const sendCursor = later(100, () => {
+  const { head } = view.state.selection.main;
+  const line = view.state.doc.lineAt(head);
+  const column = [...line.text.slice(0, head - line.from)].length + 1;
+  engine.post({ to: 'cursor', path: current, line: line.number, column });
+});
+
+function hasChanged() {
+  isStopped = false;
+  sendFilesSoon();
+  keepSoon();
+}
+
+function setWork(change) {
+  Object.assign(work, change);
+  const isBusy = work.isAwaited || work.isRunning;
+  $('render').textContent = isBusy || !isStopped ? 'Stop' : 'Render';
+  $('render').disabled = !isBusy && !isStopped;
+}
+
+function stopOrRender() {
+  isStopped = !isStopped;
+  if (!isStopped) return sendFiles();
+  setWork({ isAwaited: false, isRunning: false });
+  announce('Stopped');
+  engine.stop(() => {
+    isReady = false;
+    notify('The engine did not answer, and has been started again.');
+  });
+}
+
+function takeMessage(message) {
+  if (message.from === 'ready') {
+    isReady = true;
+    language.connect();
+    sendProject();
+    for (const kept of Object.values(pageState)) engine.post({ to: 'preview', message: kept });
+    language.update(view, current);
+  } else if (message.from === 'lsp') {
+    language.receive(message.message);
+  } else if (message.from === 'preview') {
+    takePreview(message.message);
+  } else if (message.from === 'open') {
+    goTo(message);
+  } else if (message.from === 'convert') {
+    conversions.get(message.id)?.(message);
+    conversions.delete(message.id);
+  } else if (message.from === 'failed') {
+    takeFailure(message);
+  }
+}
+
+function takeFailure({ kind, text }) {
+  setWork({ isAwaited: false, isRunning: false });
+  if (kind === 'absent') return notify(`There are no pictures and no checks here: ${text}.`);
+  const wasReady = isReady;
+  isReady = false;
+  if (!wasReady) return notify(`The engine does not start: ${text}`, ['Try again', () => engine.restart()]);
+  isStopped = true; // the same scene would fail again
+  const what = kind === 'memory' ? 'The memory of the browser is too small for this scene' : `The engine failed (${text})`;
+  notify(`${what}. It has been started again; the text is kept. The next change is rendered.`);
+  engine.restart();
+  setWork({});
+}
+
+let finished; // the last picture that has been announced
+function takePreview(message) {
+  if (message instanceof ArrayBuffer) {
+    const length = new DataView(message).getUint32(0, true);
+    const header = JSON.parse(new TextDecoder().decode(new Uint8Array(message, 4, length)));
+    if (header.is_finished && header.scene !== finished) {
+      finished = header.scene;
+      const percent = (share) => `${Number((100 * share).toPrecision(3))} %`;
+      const { error } = header;
+      announce(`Picture finished${error ? `, error ${percent(error.value)}, 95 % interval ${percent(error.from)} to ${percent(error.to)}` : ''}`);
+    }
+    if (header.is_finished) setWork({ isRunning: false });
+    return picture?.postMessage(message, [message]);
+  }
+  if (message.type === 'scene') setWork({ isAwaited: false });
+  if (message.type === 'progress') setWork({ isRunning: message.is_running && !isStopped });
+  if (message.type === 'failure') setWork({ isRunning: false });
+  picture?.postMessage(message);
+}
+
+/** What the picture's page says. */
+function takeFromPicture(message) {
+  if (message.type === 'open') return goTo(message.place);
+  if (message.type === 'view' || message.type === 'visible') pageState[message.type] = message;
+  if (message.type === 'choose') {
+    const { type, params, ...others } = message;
+    const known = (object) => Object.fromEntries(Object.entries(object).filter(([, value]) => value !== null));
+    choices = known({ ...choices, ...others, params: known({ ...choices.params, ...params }) });
+    keepSoon();
+  }
+  engine.post({ to: 'preview', message });
+}
+
+addEventListener('message', ({ data, source, ports }) => {
+  if (source !== $('picture').contentWindow) return;
+  if (data === 'picture') {
+    picture = ports[0];
+    picture.onmessage = (event) => takeFromPicture(event.data);
+  } else if (data?.key) {
+    // A key of the editor, pressed in the picture.
+    view.focus();
+    view.contentDOM.dispatchEvent(new KeyboardEvent('keydown', { ...data, bubbles: true, cancelable: true }));
+  }
+});
+
+/** `column` counts characters from 1, line too. */
+function goTo({ path, line, column }) {
+  if (!states.has(path)) return;
+  show(path);
+  showSide('text');
+  const found = view.state.doc.line(Math.min(line, view.state.doc.lines));
+  const before = [...found.text].slice(0, column - 1).join('');
+  goToRange(found.from + before.length);
+}
+function goToRange(from, to = from) {
+  view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
+  view.focus();
+}
+
+// Findings
+
+const findings = new Map(); // lists by name of the file
+const severities = ['', 'error', 'warning', 'info', 'hint']; // by their numbers
+
+function takeFindings(name, list) {
+  findings.set(name, list);
+  showFindings();
+}
+
+function showFindings() {
+  const shown = [...findings].filter(([name]) => states.has(name)).flatMap(([name, list]) => list.map((f) => [name, f]));
+  const marks = (findings.get(current) ?? []).map((finding) => {
+    const [from, to] = finding.at();
+    const actions = finding.fixes.map(({ title, apply }) => ({ name: title, apply }));
+    return { from, to, severity: severities[finding.severity ?? 1], message: finding.message, actions };
+  });
+  view.dispatch(setDiagnostics(view.state, marks));
+  const count = `${shown.length || 'No'} problem${shown.length === 1 ? '' : 's'}`;
+  if ($('problems-title').textContent !== count) announce(count);
+  $('problems-title').textContent = count;
+  const focused = [...$('problem-list').querySelectorAll('button')].indexOf(document.activeElement);
+  $('problem-list').replaceChildren(...shown.map(([name, finding]) => problemOf(name, finding)));
+  if (focused >= 0) ($('problem-list').querySelectorAll('button')[focused] ?? view).focus();
+}
+
+function problemOf(name, finding) {
+  const item = element('li', '', { className: severities[finding.severity ?? 1] });
+  const place = `${name}:${finding.range.start.line + 1}:${finding.range.start.character + 1}`;
+  const button = element('button', `${finding.code ? `${finding.code}: ` : ''}${finding.message} `, {
+    type: 'button',
+    className: 'finding',
+    onclick() {
+      show(name);
+      goToRange(...finding.at());
+    },
+  });
+  button.append(element('span', place));
+  item.append(button);
+  if (finding.fixes.length > 0) {
+    const fixes = element('div', '', { className: 'fixes' });
+    fixes.append(
+      ...finding.fixes.map(({ title, apply }) =>
+        element('button', title, {
+          type: 'button',
+          onclick() {
+            apply();
+            view.focus();
+          },
+        }),
+      ),
+    );
+    item.append(fixes);
+  }
+  return item;
+}
+
+/** To the first fix of the problem at the cursor, or of the next one. */
+function focusFix() {
+  const { head } = view.state.selection.main;
+  const lists = [...findings].filter(([name]) => states.has(name)).flatMap(([name, list]) => list.map((f) => [name, f]));
+  const isAhead = ([name, finding]) => name === current && finding.fixes.length > 0 && finding.at()[1] >= head;
+  const isOther = ([, finding]) => finding.fixes.length > 0;
+  const found = lists.findIndex(isAhead);
+  const index = found >= 0 ? found : lists.findIndex(isOther);
+  $('problem-list').children[index]?.querySelector('.fixes button').focus();
+  if (index < 0) announce('No problem has a fix');
+  return true;
+}
+$('problems').addEventListener('keydown', ({ key }) => {
+  if (key === 'Escape') view.focus();
+});
+
+// Files
+
+function showFiles() {
+  $('files').replaceChildren(
+    ...project.names().map((name) => {
+      const button = element('button', name === main && states.size > 1 ? `${name} ●` : name, {
+        type: 'button',
+        title: name === main ? 'This scene is rendered' : '',
+        onclick() {
+          show(name);
+          view.focus();
+        },
+      });
+      button.setAttribute('aria-current', String(name === current));
+      const item = element('li', '');
+      item.append(button);
+      return item;
+    }),
+  );
+}
+
+/** After files were added, renamed or removed. */
+function haveFilesChanged(name) {
+  for (const known of findings.keys()) if (!states.has(known)) findings.delete(known);
+  current = undefined;
+  language.client.workspace.reopen();
+  show(name);
+  hasChanged();
+}
+
+function addFile(name, text) {
+  states.set(current, view.state);
+  states.set(name, stateOf(name, text));
+  haveFilesChanged(name);
+}
+
+let isNewFile;
+function openFileDialog(isNew) {
+  isNewFile = isNew;
+  $('file-title').textContent = isNew ? 'New file' : `File ${current}`;
+  $('file-name').value = isNew ? '' : current;
+  $('file-is-main').checked = !isNew && current === main;
+  $('file-is-main').disabled = !isNew && current === main;
+  $('file-delete').hidden = isNew || current === main;
+  $('file-fault').textContent = '';
+  $('file-dialog').showModal();
+}
+
+$('file-dialog').addEventListener('submit', (event) => {
+  if (event.submitter?.value === 'cancel') return;
+  const name = $('file-name').value.trim();
+  let fault = '';
+  if (!isName(name)) fault = 'A name has letters, digits and the characters - _ . and / between folders.';
+  else if (states.has(name) && (isNewFile || name !== current)) fault = 'There is such a file.';
+  else if (!isScene(name) && ($('file-is-main').checked || (!isNewFile && current === main))) fault = 'Only a file .scene can be rendered.';
+  $('file-fault').textContent = fault;
+  if (fault) return event.preventDefault();
+  if ($('file-is-main').checked) main = name;
+  if (isNewFile) return addFile(name, isScene(name) ? 'scene 1\n' : '');
+  const texts = project.names().map((each) => [each === current ? name : each, project.doc(each).toString()]);
+  states.clear();
+  for (const [each, text] of texts) states.set(each, stateOf(each, text));
+  haveFilesChanged(name);
+});
+$('file-delete').addEventListener('click', () => {
+  $('file-dialog').close();
+  const old = snapshot();
+  const { [current]: _, ...files } = old.files;
+  replace({ ...old, files }, `${current} is deleted.`);
+});
+
+const conversions = new Map(); // functions that take the answer, by its id
+const convert = (text) =>
+  new Promise((resolve) => {
+    const id = Math.random();
+    conversions.set(id, resolve);
+    engine.post({ to: 'convert', id, text });
+  });
+
+/** A JSON config becomes a scene; other files are added, or replace those of the same name. */
+async function takeFile(file) {
+  const text = await file.text();
+  const name = file.name.replace(/[^\w.-]/g, '-');
+  if (!isName(name)) return notify(`${file.name}: a file needs a name that begins with a letter.`);
+  if (/\.json$/i.test(name)) {
+    if (!isReady) return notify('A config cannot be converted while there is no engine.');
+    const answer = await convert(text);
+    if (answer.text == null) return notify(`${file.name} cannot be converted: ${answer.failure}`);
+    const scene = name.replace(/\.json$/i, '.scene');
+    return replace({ files: { [scene]: answer.text }, main: scene, settings }, `${file.name} is a scene now.`);
+  }
+  const files = { ...snapshot().files, [name]: text };
+  replace({ ...snapshot(), files }, `${name} is added.`);
+  show(name);
+}
+const takeFiles = async (files) => {
+  for (const file of files) await takeFile(file);
+};
+
+// Controls
+
+async function openExample(value) {
+  $('example').value = '';
+  if (value === 'before') {
+    const before = stored(kBefore);
+    if (before) replace(before, 'This is the text before.');
+    return;
+  }
+  const [first, ...others] = value.split(' ');
+  try {
+    const texts = [first, ...others].map(async (path) => {
+      const response = await fetch(`../examples/${path}`);
+      if (!response.ok) throw new Error(response.statusText);
+      return [path, await response.text()];
+    });
+    const files = Object.fromEntries(await Promise.all(texts));
+    replace({ files, main: first, settings: kDefaults }, `The example ${first} is open.`);
+  } catch (error) {
+    notify(`The example cannot be loaded: ${error.message}`);
+  }
+}
+
+function showSide(side) {
+  document.body.classList.toggle('shows-picture', side === 'picture');
+  for (const each of ['text', 'picture']) $(`show-${each}`).setAttribute('aria-pressed', String(each === side));
+}
+
+function takeSettings() {
+  const number = (id) => ($(id).value > 0 ? Number($(id).value) : undefined);
+  settings = { width: number('width'), error: number('error') };
+  isStopped = false;
+  setWork({ isAwaited: isReady });
+  engine.post({ to: 'settings', arguments: settingsArguments() });
+  keepSoon();
+}
+
+const actions = {
+  'example change': () => openExample($('example').value),
+  'open click': () => $('chosen').click(),
+  'chosen change': () => takeFiles($('chosen').files).then(() => ($('chosen').value = '')),
+  'link click': copyLink,
+  'format click': () => {
+    formatDocument(view);
+    view.focus();
+  },
+  'width change': takeSettings,
+  'error change': takeSettings,
+  'render click': stopOrRender,
+  'help click': () => $('keys-dialog').showModal(),
+  'show-text click': () => showSide('text'),
+  'show-picture click': () => showSide('picture'),
+  'new-file click': () => openFileDialog(true),
+  'change-file click': () => openFileDialog(false),
+};
+for (const [name, action] of Object.entries(actions)) {
+  const [id, event] = name.split(' ');
+  $(id).addEventListener(event, action);
+}
+
+for (const type of ['dragover', 'dragleave', 'drop']) {
+  addEventListener(
+    type,
+    (event) => {
+      if (!event.dataTransfer?.types.includes('Files')) return;
+      event.preventDefault();
+      event.stopPropagation();
+      document.body.classList.toggle('is-dropping', type === 'dragover');
+      if (type === 'drop') takeFiles([...event.dataTransfer.files]);
+    },
+    true,
+  );
+}
+
+// The start
+
+/**
+ * The service worker keeps the page for use without a network, and lets it use threads: for that, the page is loaded
+ * once more. Resolves when it serves, or if there is none.
+ */
+async function startServiceWorker() {
+  const workers = navigator.serviceWorker;
+  if (!workers) return;
+  const offer = (worker) => {
+    notify('A new version of the playground is there.', ['Load it', () => worker.postMessage('replace')]);
+    workers.addEventListener('controllerchange', () => location.reload(), { once: true });
+  };
+  const register = async () => {
+    const registration = await workers.register('service-worker.js');
+    if (registration.waiting) offer(registration.waiting);
+    registration.addEventListener('updatefound', () => {
+      const { installing } = registration;
+      installing.addEventListener('statechange', () => {
+        if (installing.state === 'installed' && workers.controller) offer(installing);
+      });
+    });
+  };
+  const hasFailed = register().then(() => new Promise(() => {}), () => true);
+  const serves = new Promise((resolve) => workers.addEventListener('controllerchange', () => resolve(false), { once: true }));
+  if (!workers.controller && (await Promise.race([hasFailed, serves]))) return;
+  // Once: a browser may not let it.
+  if (!crossOriginIsolated && !sessionStorage.getItem('sdlc-isolating')) {
+    sessionStorage.setItem('sdlc-isolating', '1');
+    // Browsers may bring back this page from their cache of pages.
+    addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
+    location.reload();
+    await new Promise(() => {});
+  }
+  sessionStorage.removeItem('sdlc-isolating');
+}
+
+async function startEngine() {
+  const threads = crossOriginIsolated ? Math.min(16, navigator.hardwareConcurrency || 1) : 1;
+  const name = document.body.dataset.engine.split(' ')[threads > 1 ? 1 : 0];
+  const module = name ? await WebAssembly.compileStreaming(fetch(name)).catch(() => null) : null;
+  engine.start(module, threads);
+}
+
+async function openLink() {
+  if (location.hash.length < 2 || location.hash === '#text') return null; // the latter skips the header
+  try {
+    return await fromFragment(location.hash.slice(1));
+  } catch (error) {
+    notify(`The link is damaged (${error.message}). What this browser has kept is shown.`);
+    return null;
+  }
+}
+
+async function start() {
+  // Before any text is shown, because the page may be loaded once more. A slow network is not waited for.
+  if (location.protocol !== 'file:') {
+    await Promise.race([startServiceWorker(), new Promise((resolve) => setTimeout(resolve, 5000))]);
+  }
+  view = new EditorView({ parent: $('editor') });
+  const own = stored(kStored);
+  const first = { files: { 'main.scene': $('first-scene').content.textContent }, main: 'main.scene', settings: kDefaults };
+  if (stored(kBefore)) offerBefore();
+  // The address is older than what is kept if the page was left at once.
+  const linked = location.hash.slice(1) === own?.fragment ? null : await openLink();
+  load(own ?? linked ?? first);
+  const example = new URLSearchParams(location.search).get('example');
+  if (example) {
+    history.replaceState(null, '', location.pathname);
+    const option = [...$('example').options].find(({ text }) => text === example);
+    if (option) await openExample(option.value);
+  } else if (own && linked) replace(linked, 'This text is from the link. What this browser had kept is not lost.');
+  addEventListener('hashchange', async () => {
+    const next = await openLink();
+    if (next) replace(next, 'This text is from the link.');
+  });
+  $('picture').src = $('picture').dataset.src;
+  if (location.protocol !== 'file:') return startEngine();
+  notify(`Pages that are opened from a folder cannot compute: there are no pictures and no checks. A server of the folder
+    is enough, such as “python3 -m http.server”.`);
+}
+start();

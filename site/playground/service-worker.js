@@ -1,0 +1,44 @@
+// Keeps the playground for use without a network, and adds the headers that threads need, for servers that do not send
+// them. The build writes the list of files; what else is loaded is kept when it is loaded.
+/* global FILES, VERSION */
+const kCache = `sdlc-playground-${VERSION}`;
+const scope = new URL('./', location);
+
+self.addEventListener('install', (event) => {
+  event.waitUntil(caches.open(kCache).then((cache) => cache.addAll(FILES.map((name) => new Request(name, { cache: 'reload' })))));
+});
+
+self.addEventListener('activate', (event) => {
+  const clear = async () => {
+    for (const name of await caches.keys()) {
+      if (name.startsWith('sdlc-playground-') && name !== kCache) await caches.delete(name);
+    }
+    await self.clients.claim();
+  };
+  event.waitUntil(clear());
+});
+
+self.addEventListener('message', ({ data }) => {
+  if (data === 'replace') self.skipWaiting();
+});
+
+async function answer(request) {
+  const cache = await caches.open(kCache);
+  const url = request.url === scope.href ? new URL('index.html', scope) : request;
+  let response = await cache.match(url, { ignoreSearch: true });
+  if (!response) {
+    response = await fetch(request);
+    const isOurs = request.method === 'GET' && request.url.startsWith(scope);
+    if (isOurs && response.status === 200) await cache.put(url, response.clone());
+  }
+  if (response.type === 'opaque' || response.type === 'error') return response;
+  const headers = new Headers(response.headers);
+  headers.set('Cross-Origin-Opener-Policy', 'same-origin');
+  headers.set('Cross-Origin-Embedder-Policy', 'require-corp');
+  const { status, statusText } = response;
+  return new Response([204, 304].includes(status) ? null : response.body, { status, statusText, headers });
+}
+
+self.addEventListener('fetch', (event) => {
+  if (new URL(event.request.url).origin === location.origin) event.respondWith(answer(event.request));
+});

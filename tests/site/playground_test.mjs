@@ -1,0 +1,401 @@
+// The playground of the site in browsers. usage: node --test playground_test.mjs, with SDLC, SDLC_SITE (the folder that
+// `./dev site` makes), SDLC_NODE_MODULES, and CHROMIUM or FIREFOX or both.
+import assert from 'node:assert/strict';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { createRequire } from 'node:module';
+import { availableParallelism, loadavg, tmpdir } from 'node:os';
+import { extname, join } from 'node:path';
+import { after, before, describe, test as nodeTest } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { standIn, startBridge } from './bridge.mjs';
+
+const require = createRequire(join(process.env.SDLC_NODE_MODULES, 'playground.cjs'));
+const puppeteer = require('puppeteer-core');
+
+const kPatience = 120_000;  // ms: a busy machine is slow
+const test = (name, run) => nodeTest(name, { timeout: Number(process.env.SDLC_PATIENCE ?? kPatience) }, run);
+const site = process.env.SDLC_SITE;
+const prefix = '/docs/sdlc/';
+const types = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml' };
+
+const ball = `scene 1
+
+camera { from: (0, 1, 5), at: (0, 0.5, 0), fov: 30deg, aspect: 1.5 }
+background { bottom: white, top: #80b3ff }
+/// How large the ball is.
+param size = 0.5
+sphere ground { center: (0, -1000, 0), radius: 1000, material: diffuse(color: #8a9a5b) }
+sphere ball { center: (0, 0.5, 0), radius: size, material: diffuse(color: #c04040) }
+render { samples: 4096 }
+`;
+const project = (text, more = {}) =>
+    ({ files: { 'main.scene': text }, main: 'main.scene', settings: { width: 120, error: 5 }, ...more });
+
+/** The site below a path, with the stand-in for the engine. The server sends no headers for threads. */
+async function serve(port) {
+  const server = createServer((request, response) => {
+    const name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname).slice(prefix.length);
+    const path = join(site, name);
+    if (!request.url.startsWith(prefix) || !existsSync(path) || statSync(path).isDirectory()) return response.writeHead(404).end();
+    const body = name === 'playground/engine.js' ? standIn(port) : readFileSync(path);
+    response.writeHead(200, { 'content-type': types[extname(name)] ?? 'text/plain' }).end(body);
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  return server;
+}
+
+const browsers = [['chrome', process.env.CHROMIUM, ['--no-sandbox', '--disable-gpu']], ['firefox', process.env.FIREFOX, []]];
+for (const [name, executablePath, args] of browsers) {
+  if (executablePath) describe(name, () => tests(name, executablePath, args));
+}
+
+function tests(name, executablePath, args) {
+  let browser, bridge, server, url;
+  before(async () => {
+    bridge = await startBridge(process.env.SDLC);
+    server = await serve(bridge.port);
+    url = `http://127.0.0.1:${server.address().port}${prefix}playground/index.html`;
+    browser = await puppeteer.launch({ browser: name, executablePath, args, timeout: kPatience, protocolTimeout: kPatience });
+  });
+  after(async () => {
+    await browser.close();
+    server.close();
+    server.closeAllConnections();
+    bridge.close();
+  });
+
+  /** A page with a storage of its own. `faults` are errors of the page. */
+  async function open({ start, fragment = '', width = 1200, height = 900, address = url } = {}) {
+    const context = await browser.createBrowserContext();
+    const page = await context.newPage();
+    page.setDefaultTimeout(kPatience);
+    const faults = [];
+    page.on('pageerror', (error) => faults.push(error.message));
+    await page.setViewport({ width, height });
+    if (start) {
+      await page.goto(address.replace('index.html', 'licenses.txt'));
+      await page.evaluate((text) => localStorage.setItem('sdlc-playground', text), JSON.stringify(start));
+    }
+    await page.goto(address + fragment, { waitUntil: 'domcontentloaded' });
+    const close = async () => {
+      assert.deepEqual(faults, []);
+      await context.close();
+    };
+    return { page, context, close };
+  }
+  /** The frame of the picture, as soon as its script runs. */
+  async function pictureOf(page) {
+    for (;;) {
+      const frame = await page.$('#picture').then((element) => element?.contentFrame()).catch(() => null);
+      if (frame && await frame.evaluate('typeof takePicture === "function"').catch(() => false)) return frame;
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+  }
+  async function finishedPicture(page, isWanted = 'true') {
+    for (;;) {
+      const frame = await pictureOf(page);
+      const isThere = await frame.evaluate(`Boolean(picture && scene && picture.header.is_finished &&
+          picture.header.scene === scene.scene && (${isWanted}))`).catch(() => false);
+      if (isThere) return frame;
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+  }
+  const codes = (frame) => frame.evaluate(
+      '[...picture.image.getContext("2d").getImageData(0, 0, picture.image.width, picture.image.height).data].join()');
+  const textOf = (page) => page.$$eval('.cm-line', (lines) => lines.map((line) => line.textContent).join('\n'));
+  const problems = (page) => page.$eval('#problem-list', (list) => list.innerText);
+  const title = (page, text) => page.waitForFunction(
+      (t) => document.getElementById('problems-title').textContent === t, {}, text);
+  const notice = (page, part) => page.waitForFunction(
+      (p) => document.getElementById('notice').textContent.includes(p), {}, part);
+  /** Puts the cursor after the first `part` of the text. */
+  async function goAfter(page, part) {
+    await page.focus('.cm-content');
+    await page.keyboard.down('Control');
+    await page.keyboard.press('Home');
+    await page.keyboard.up('Control');
+    const before = (await textOf(page)).split(part)[0] + part;
+    const lines = before.split('\n');
+    for (let i = 1; i < lines.length; ++i) await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Home');
+    for (let i = 0; i < lines.at(-1).length; ++i) await page.keyboard.press('ArrowRight');
+  }
+
+  test('a mistake is marked at its place within 100 ms, fixed by a click, and the picture reaches 5 %', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    await finishedPicture(page);
+    assert.match(await page.$eval('#announcement', (region) => region.textContent), /Picture finished, error .* %, 95 % interval/);
+    await page.evaluate(() => {
+      globalThis.times = [];
+      let pressed = 0;
+      addEventListener('keydown', () => (pressed = performance.now()), true);
+      new MutationObserver(() => {
+        const isMarked = document.querySelector('.cm-lintRange-error') !== null;
+        if (isMarked && pressed) times.push(performance.now() - pressed);
+        if (isMarked) pressed = 0;
+      }).observe(document.getElementById('editor'), { childList: true, subtree: true });
+    });
+    for (let i = 0; i < 5; ++i) {
+      await goAfter(page, 'ball { center: (0, 0.5, 0), radi');
+      await page.keyboard.type('o');
+      await page.waitForSelector('.cm-lintRange-error');
+      assert.equal(await page.$eval('.cm-lintRange-error', (mark) => mark.textContent), 'radious');
+      if (i === 4) break;
+      await page.keyboard.press('Backspace');
+      await title(page, 'No problems');
+    }
+    const times = (await page.evaluate('times')).sort((a, b) => a - b);
+    console.log(`${name}: marked after ${times.map(Math.round).join(', ')} ms`);
+    const busy = Math.max(1, loadavg()[0] / availableParallelism());
+    assert.ok(times[0] <= 100 * busy, `the fastest of five, ${busy} programs per processor`);
+    assert.match(await problems(page), /E104: unknown property `radious` of sphere[^]*main\.scene:8:36/);
+    await page.waitForSelector('.fixes button');
+    const [fix] = await page.$$('.fixes button');
+    await fix.click();
+    await title(page, 'No problems');
+    assert.equal(await textOf(page), ball);
+    const frame = await finishedPicture(page);
+    const { value, from, to } = await frame.evaluate('picture.header.error');
+    assert.ok(from <= value && value <= to && to <= 0.05, `${value}`);
+    await close();
+  });
+
+  test('a link gives the same text, choices and picture in another browser', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    let frame = await finishedPicture(page);
+    await frame.evaluate("choose({params: {size: '0.8'}})");
+    frame = await finishedPicture(page, "scene.params[0].value === '0.8'");
+    await page.waitForFunction("location.hash.length > 100");
+    await new Promise((resolve) => setTimeout(resolve, 600));
+    const link = await page.evaluate('location.hash');
+    const expected = await codes(frame);
+    const other = await open({ fragment: link });
+    frame = await finishedPicture(other.page, "scene.params[0].value === '0.8'");
+    assert.equal(await textOf(other.page), ball);
+    assert.equal(await codes(frame), expected);
+    assert.match(await frame.evaluate("document.getElementById('command').textContent"),
+                 /^sdlc render main\.scene --width=120 --error=5% --set size=0\.8$/);
+    await other.page.reload();
+    assert.equal(await codes(await finishedPicture(other.page, "scene.params[0].value === '0.8'")), expected);
+    await other.close();
+
+    // A link to one who has a text of their own, and a damaged one.
+    const third = await open({ start: project('scene 1\n// mine\n'), fragment: link });
+    await notice(third.page, 'from the link');
+    assert.equal(await textOf(third.page), ball);
+    await third.page.click('#notice-action');
+    await third.page.waitForFunction("document.querySelector('.cm-content').textContent.includes('// mine')");
+    await third.close();
+    const fourth = await open({ start: project('scene 1\n// mine\n'), fragment: `${link.slice(0, 60)}` });
+    await notice(fourth.page, 'damaged');
+    assert.match(await textOf(fourth.page), /mine/);
+    await fourth.close();
+    await close();
+  });
+
+  test('the keyboard is enough', async () => {
+    const { page, close } = await open({ start: project(ball.replace('radius: size', 'radious: size')) });
+    await title(page, '1 problem');
+    await page.waitForSelector('.fixes button');
+    const reached = new Set();
+    const focused = () => page.evaluate("document.activeElement.id || document.activeElement.className || document.activeElement.tagName");
+    for (let i = 0; i < 40 && !reached.has('picture'); ++i) {
+      await page.keyboard.press('Tab');
+      const now = await focused();
+      if (now.includes('cm-content')) await page.keyboard.press('Escape');
+      reached.add(now.split(' ')[0]);
+    }
+    for (const id of ['example', 'open', 'link', 'format', 'width', 'error', 'new-file', 'change-file', 'cm-content', 'finding', 'picture'])
+      assert.ok(reached.has(id), `${id}: ${[...reached]}`);
+    assert.equal(await textOf(page), ball.replace('radius: size', 'radious: size'), 'Tab after Escape does not indent');
+    await page.focus('.cm-content');
+    await page.keyboard.press('F8');
+    assert.equal(await page.evaluate('String(getSelection())'), 'radious');
+    await page.keyboard.down('Control');
+    await page.keyboard.press('.');
+    await page.keyboard.up('Control');
+    assert.match(await page.evaluate('document.activeElement.textContent'), /radius/);
+    await page.keyboard.press('Enter');
+    await title(page, 'No problems');
+    assert.match(await focused(), /cm-content/);
+    assert.equal(await textOf(page), ball);
+    await close();
+  });
+
+  test('an example with imports, its tabs, and a click that leads to a line', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    await finishedPicture(page);
+    const value = await page.$eval('#example', (list) => [...list.options].find(({ text }) => text === 'carousel').value);
+    await page.select('#example', value);
+    await notice(page, 'carousel.scene');
+    const tabs = await page.$$eval('#files button', (buttons) => buttons.map((button) => button.textContent));
+    assert.deepEqual(tabs, ['carousel.scene ●', 'library/materials.scene']);
+    await title(page, 'No problems');
+    await page.click('#files li:nth-child(2) button');
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('fn ')");
+    await page.$eval('#width', (field) => { field.value = 100; field.dispatchEvent(new Event('change')); });
+    const frame = await finishedPicture(page, "picture.header.width === 100 && scene.name.includes('carousel')");
+    assert.equal(await frame.evaluate("document.getElementById('frames').hidden"), false);
+
+    await page.click('#notice-action');
+    const own = await finishedPicture(page, "picture.header.width === 120 && scene.name.includes('main')");
+    await own.evaluate(`pick(60, 45, true)`);
+    await page.waitForFunction("document.activeElement.className.includes('cm-content')");
+    await page.waitForFunction("document.querySelector('.cm-activeLine').textContent.startsWith('sphere ball')");
+    await close();
+  });
+
+  test('hover, completion, formatting, renaming in two files and colours come from the language server', async () => {
+    const files = { 'main.scene': `${ball}import "part.scene" as part\ninclude "part.scene"\n`.replace('scene 1\n', 'scene 1\nimport "part.scene" as part\n').replace('import "part.scene" as part\ninclude "part.scene"\n', 'let twice = part.reach\n'),
+                    'part.scene': 'scene 1\nlet reach   = 2\n' };
+    files['main.scene'] = files['main.scene'].replace(/import "part.scene" as part\nlet/, 'let');
+    const { page, close } = await open({ start: { ...project(''), files } });
+    await finishedPicture(page);
+    await page.waitForFunction("[...document.querySelectorAll('.cm-content .function')].some((e) => e.textContent === 'diffuse')");
+    await goAfter(page, 'part.reach');
+    await page.keyboard.press('F2');
+    await page.waitForSelector('.cm-lsp-rename-panel input');
+    await page.keyboard.down('Control');
+    await page.keyboard.press('a');
+    await page.keyboard.up('Control');
+    await page.keyboard.type('span');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('part.span')");
+    await page.click('#files li:nth-child(2) button');
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('let span   = 2')");
+    await page.click('#format');
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('let span = 2')");
+    await page.focus('.cm-content');
+    await page.keyboard.down('Control');
+    await page.keyboard.press('End');
+    await page.keyboard.up('Control');
+    await page.keyboard.type('let a = rad');
+    await page.waitForSelector('.cm-tooltip-autocomplete');
+    await page.keyboard.press('Escape');
+    await page.click('#files li:nth-child(1) button');
+    const [word] = await page.$$('.cm-content .type');
+    await word.hover();
+    await page.waitForSelector('.cm-lsp-hover-tooltip');
+    await close();
+  });
+
+  test('a worker that hangs or fails is replaced, and the text stays', async () => {
+    const { page, close } = await open({ start: project(ball.replace('4096', '16777216'), { settings: { width: 300 } }) });
+    await page.waitForFunction("document.getElementById('render').textContent === 'Stop' && !document.getElementById('render').disabled");
+    await page.click('#render');
+    await page.waitForFunction("document.getElementById('render').textContent === 'Render'");
+    const [worker] = bridge.workers;
+    worker.send({ from: 'hang' });
+    await page.click('#render');
+    await page.click('#render');
+    await notice(page, 'did not answer');
+    await page.waitForFunction("document.getElementById('render').textContent === 'Render'");
+    const isRendered = () => bridge.received.findLast(({ to }) => to === 'files').render;
+    while (bridge.workers.size !== 1 || bridge.workers.has(worker)) await new Promise((resolve) => setTimeout(resolve, 50));
+    while (isRendered()) await new Promise((resolve) => setTimeout(resolve, 50));
+    [...bridge.workers][0].send({ from: 'failed', kind: 'memory', text: '' });
+    await notice(page, 'memory');
+    await goAfter(page, 'scene 1');
+    await page.keyboard.type(' // kept');
+    while (!isRendered()) await new Promise((resolve) => setTimeout(resolve, 50));
+    assert.match(await textOf(page), /^scene 1 \/\/ kept/);
+    await page.reload();
+    await page.waitForSelector('.cm-line');
+    await title(page, 'No problems');
+    assert.match(await textOf(page), /^scene 1 \/\/ kept/);
+    await close();
+  });
+
+  test('a dropped config becomes a scene, and the picture is downloaded', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    let frame = await finishedPicture(page);
+    await page.evaluate(() => {
+      const config = { camera: { look_from: [0, 0, 9], look_at: [0, 0, 0], up: [0, 1, 0], vfov: 40, focal_length: 9,
+        aspect_ratio: 2, viewport_height: 2, samples_per_pixel: 1 }, rendering: { width: 80, render_depth: 2 },
+        saving: { path: 'row.png' }, spheres: [{ origin: [0, 0, 0], radius: 1, material: { type: 'diffuse', color: [255, 0, 0] } }] };
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([JSON.stringify(config)], 'row.json'));
+      document.getElementById('editor').dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    });
+    await notice(page, 'row.json is a scene now');
+    assert.match(await textOf(page), /^scene 1[^]*sphere/);
+    frame = await finishedPicture(page, "scene.name.includes('row')");
+    const [file, start] = await frame.evaluate(() => new Promise((resolve) => {
+      HTMLAnchorElement.prototype.click = async function () {
+        const bytes = new Uint8Array(await (await fetch(this.href)).arrayBuffer());
+        resolve([this.download, [...bytes.slice(1, 4)].map((code) => String.fromCharCode(code)).join('')]);
+      };
+      document.getElementById('png').dispatchEvent(new MouseEvent('click', { bubbles: true, cancelable: true }));
+    }));
+    assert.deepEqual([file, start], ['row.png', 'PNG']);
+    await close();
+  });
+
+  test('files are added, renamed and deleted', async () => {
+    const { page, close } = await open({ start: project('scene 1\ninclude "parts/balls.scene"\n') });
+    await title(page, '1 problem');
+    const submit = async (button, value) => {
+      await page.click(button);
+      await page.$eval('#file-name', (field, text) => { field.value = text; }, value);
+      await page.click('#file-apply');
+    };
+    await submit('#new-file', '../up.scene');
+    assert.match(await page.$eval('#file-fault', (fault) => fault.textContent), /letters/);
+    await page.keyboard.press('Escape');
+    await submit('#new-file', 'ball.scene');
+    await page.waitForFunction("document.querySelectorAll('#files button').length === 2");
+    await goAfter(page, 'scene 1');
+    await page.keyboard.type('\nsphere { center: (0, 0, 0), radius: 1 }');
+    await submit('#change-file', 'parts/balls.scene');
+    await title(page, 'No problems');
+    await page.click('#change-file');
+    await page.click('#file-delete');
+    await title(page, '1 problem');
+    await page.click('#notice-action');
+    await title(page, 'No problems');
+    await close();
+  });
+
+  test('a screen of 360 pixels shows the text or the picture, without scrolling sideways', async () => {
+    const { page, close } = await open({ start: project(ball), width: 360, height: 740 });
+    const frame = await finishedPicture(page);
+    const width = () => page.evaluate('document.documentElement.scrollWidth');
+    const isShown = (id) => page.$eval(id, (element) => element.getClientRects().length > 0);
+    assert.ok(await width() <= 360);
+    assert.deepEqual([await isShown('#text'), await isShown('#picture')], [true, false]);
+    await page.click('#show-picture');
+    assert.deepEqual([await isShown('#text'), await isShown('#picture')], [false, true]);
+    assert.ok(await width() <= 360);
+    assert.ok(await frame.evaluate('document.documentElement.scrollWidth') <= 360);
+    await frame.evaluate('pick(60, 45, true)');
+    await page.waitForFunction("document.activeElement.className.includes('cm-content')");
+    assert.deepEqual([await isShown('#text'), await isShown('#picture')], [true, false]);
+    await close();
+  });
+
+  test('after the first load it works without a network, and with the headers for threads', async () => {
+    const other = await serve(bridge.port);
+    const address = url.replace(/:\d+/, `:${other.address().port}`);
+    const { page, close } = await open({ start: project(ball), address });
+    await finishedPicture(page);
+    assert.equal(await page.evaluate('crossOriginIsolated'), true);
+    other.close();
+    other.closeAllConnections();
+    await page.reload();
+    await page.waitForSelector('.cm-line');
+    const frame = await finishedPicture(page);
+    assert.ok(await frame.evaluate('crossOriginIsolated'));
+    const value = await page.$eval('#example', (list) => [...list.options].find(({ text }) => text === 'carousel').value);
+    await page.select('#example', value);
+    await notice(page, 'carousel.scene is open');
+    await close();
+  });
+
+  test('from a folder the page says what is missing', async () => {
+    const { page, close } = await open({ address: pathToFileURL(join(site, 'playground/index.html')).href });
+    await notice(page, 'opened from a folder');
+    assert.match(await textOf(page), /^scene 1/);
+    await close();
+  });
+}
