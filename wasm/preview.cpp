@@ -40,18 +40,18 @@ class Preview {
   void stop() { render_.cancel(); }
 
   Json step(double seconds) {
-    picture_.clear();
     session_.turn(std::chrono::milliseconds(0));
     if (render_.has_work()) render_.step(seconds);
+    last_picture_ = std::exchange(picture_, {});  // also one that an answer between steps has made
     Json answer{{"messages", std::exchange(messages_, Json::array())},
                 {"opened", lines_of(out_)},
-                {"picture_bytes", picture_.size()},
+                {"picture_bytes", last_picture_.size()},
                 {"has_work", render_.has_work()}};
     return answer;
   }
   /// The binary message of the last step; empty if there was none.
   std::span<const std::uint8_t> picture() const noexcept {
-    return {reinterpret_cast<const std::uint8_t*>(picture_.data()), picture_.size()};
+    return {reinterpret_cast<const std::uint8_t*>(last_picture_.data()), last_picture_.size()};
   }
 
  private:
@@ -79,7 +79,7 @@ class Preview {
   lang::Workspace workspace_{disk_};
   std::ostringstream out_, err_;
   Json messages_ = Json::array();
-  std::string picture_;
+  std::string picture_, last_picture_;
   ServeRenderSteps render_;
   cli::ServeSession session_{
       options_,
@@ -110,7 +110,7 @@ Json change_preview(const Json& parameters) {
   if (const auto cursor = parameters.find("cursor"); cursor != parameters.end()) {
     running().move_cursor({.path = cursor->at("path").get<std::string>(),
                            .position = {.line = cursor->at("line").get<std::uint32_t>(),
-                           .column = cursor->at("column").get<std::uint32_t>()}});
+                                        .column = cursor->at("column").get<std::uint32_t>()}});
   }
   return Json::object();
 }
