@@ -78,6 +78,7 @@ export async function buildPlayground({ root, output, examples, first, engine })
       script: `${local('picture.js')}</script>\n<script>\n${read('cli/web/page.js')}`,
     })
       .replaceAll(' nonce="@nonce@"', '')
+      .replace('href="data:,"', 'href="../assets/icon.svg"')
       .replace(/href="picture\.(png|exr)"/g, 'href="#$1"'),
   );
 

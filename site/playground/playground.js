@@ -86,7 +86,7 @@ const stateOf = (name, text) =>
       basicSetup,
       keymap.of([indentWithTab]),
       EditorState.tabSize.of(2),
-      EditorView.contentAttributes.of({ 'aria-label': `Text of ${name}`, 'aria-describedby': 'editor-help' }),
+      EditorView.contentAttributes.of({ tabindex: '0', 'aria-label': `Text of ${name}`, 'aria-describedby': 'editor-help' }),
       EditorView.updateListener.of((update) => {
         if (update.docChanged) {
           language.update(view, current);
