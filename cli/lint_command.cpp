@@ -29,7 +29,7 @@
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lint/fix_text.hpp"
-#include "lang/lint/lint.hpp"
+#include "lang/lint/linted_text.hpp"
 #include "lang/lint_config/code_filter.hpp"
 #include "lang/lint_config/lint_config.hpp"
 #include "lang/report/findings.hpp"
@@ -61,29 +61,6 @@ std::string plural(std::size_t count, std::string_view one, std::string_view man
 std::string plural(std::size_t count, std::string_view noun) {
   return plural(count, noun, std::string(noun) + "s");
 }
-
-/// One file and its findings.
-class Linted final : public lang::CheckedText {
- public:
-  Linted(std::shared_ptr<const lang::Document> document, const lang::ProgramOptions& program)
-      : document_(std::move(document)), compiler_(*document_, program, sink_) {
-    lang::lint(compiler_, *document_, sink_);
-  }
-
-  void select(lang::FindingsFilter filter) {
-    findings_ = select_unallowed(sink_, std::move(filter));
-  }
-
-  const lang::SourceFile& file() const override { return *document_; }
-  std::size_t error_count() const override { return sink_.error_count(); }
-  const lang::Findings& findings() const override { return findings_; }
-
- private:
-  std::shared_ptr<const lang::Document> document_;
-  lang::DiagnosticSink sink_;
-  lang::Compiler compiler_;  // holds texts that the sink refers to
-  lang::Findings findings_;
-};
 
 /// The warnings in the files of one config.
 struct WarningCount {
@@ -143,14 +120,13 @@ class LintJob {
         .wants(info.code, std::filesystem::absolute(place).lexically_normal());
   }
 
-  std::unique_ptr<Linted> linted(const std::string& name,
-                                 std::shared_ptr<const lang::Document> document) {
+  std::unique_ptr<lang::CheckedText> linted(const std::string& name,
+                                            std::shared_ptr<const lang::Document> document) {
     lang::ProgramOptions program = program_options(options_.reading, env_);
     if (pack_) pack_->confine(program);
-    auto result = std::make_unique<Linted>(std::move(document), program);
     using Kind = std::pair<const lang::DiagnosticInfo*, const lang::SourceFile*>;
     const auto is_wanted =
-        [this, scene = shown_name(name), own = &result->file(), decided = std::map<Kind, bool>()](
+        [this, scene = shown_name(name), own = document.get(), decided = std::map<Kind, bool>()](
             const lang::DiagnosticInfo& info, const lang::SourceFile* file) mutable {
           const auto [answer, is_new] = decided.emplace(Kind(&info, file), false);
           const bool is_own = file == nullptr || file == own;
@@ -158,9 +134,9 @@ class LintJob {
           return answer->second;
         };
     // report() limits what is shown, without findings that another file has shown.
-    result->select(
-        {.is_wanted = is_wanted, .max_per_severity = std::numeric_limits<std::size_t>::max()});
-    return result;
+    const lang::FindingsFilter filter{.is_wanted = is_wanted,
+                                      .max_per_severity = std::numeric_limits<std::size_t>::max()};
+    return std::make_unique<lang::LintedText>(std::move(document), program, filter);
   }
 
   void lint(const std::string& name) {

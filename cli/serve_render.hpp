@@ -86,7 +86,7 @@ class ServeRender {
   void show_pass(const Order& order, const render::Film& film,
                  const std::function<render::ErrorSoFar()>& error);
   void show_finished(const Order& order, render::RenderResult result);
-  /// The work of a render on its thread. Returns false after a failure, of which it has told.
+  /// Does the work of a render on its thread. Reports a failure, and then returns false.
   bool report(const Order& order, const Environment& env, const std::function<void()>& work);
   /// The progress of a render that has begun so many seconds ago.
   static Progress progress_of(const render::RenderSettings& settings,

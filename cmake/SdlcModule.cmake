@@ -11,8 +11,8 @@ target_precompile_headers(sdlc_precompiled PRIVATE ${SDLC_PRECOMPILED_HEADERS})
 #
 # The library of the current folder: target sdlc_NAME, known as sdlc::NAME, from every .cpp and .hpp in the
 # folder itself except the excluded ones, and those of SDLC_REPLACED_SOURCES. Includes are written from the root of
-# the repository. A folder without .cpp files becomes an interface library. Each call is recorded in the global property SDLC_MODULES;
-# a test uses it to check that a folder includes only modules that it declares here.
+# the repository. A folder without .cpp files becomes an interface library. Each call is recorded in the global
+# property SDLC_MODULES; a test uses it to check that a folder includes only modules that it declares here.
 function(sdlc_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "PUBLIC;PRIVATE;EXCLUDE")
   if(arg_UNPARSED_ARGUMENTS)

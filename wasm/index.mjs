@@ -180,23 +180,24 @@ export class Engine {
     this.#call('start_preview', { ...options, file, render: { threads: this.#threads, ...options.render } });
   }
 
-  /** Tells that `files` have changed, or where the `cursor` is: `{path, line, column}`. */
+  /** `files`: true: they have changed; `cursor`: `{path, line, column}`, where it is; `stop`: true: ends the render, and
+   * keeps its picture. */
   changePreview(change) { this.#call('change_preview', change); }
 
-  /** @param {object} message from the page */
+  /** @param {object} message from the page; `open` is for the caller */
   tellPreview(message) { this.#call('tell_preview', { message: JSON.stringify(message) }); }
 
   /** Compiles what has changed, renders for about so many milliseconds, and answers.
-   * @returns {object} `messages` to the page, `picture`: the binary one, an ArrayBuffer or null; `opened`: places that
-   * were clicked; `hasWork`: whether the picture is not finished. */
+   * @returns {object} `messages` to the page, JSON texts; `picture`: the binary message, an ArrayBuffer or null; `hasWork`:
+   * whether the picture is not finished. */
   stepPreview(milliseconds = 30) {
-    const { messages, opened, picture_bytes: size, has_work: hasWork } = this.#call('step_preview', { milliseconds });
+    const { messages, picture_bytes: size, has_work: hasWork } = this.#call('step_preview', { milliseconds });
     let picture = null;
     if (size > 0) {
       const begin = this.#module._sdlc_preview_picture();
       picture = new Uint8Array(new Uint8Array(this.#memory.buffer, begin, size)).buffer;
     }
-    return { messages, opened, picture, hasWork };
+    return { messages, picture, hasWork };
   }
 
   #call(name, parameters) {

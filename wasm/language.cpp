@@ -16,7 +16,7 @@
 #include "lang/explain/explain.hpp"
 #include "lang/format/format.hpp"
 #include "lang/lint/fix_text.hpp"
-#include "lang/lint/lint.hpp"
+#include "lang/lint/linted_text.hpp"
 #include "lang/lint_config/lint_config.hpp"
 #include "lang/report/report.hpp"
 #include "lang/source/limits.hpp"
@@ -30,32 +30,19 @@ Json report(const lang::Findings& findings) {
       lang::render_findings(findings, {.format = lang::MessageFormat::Json, .facts = {}}));
 }
 
-/// A text and its findings, by the `.sdlc.toml` of its folder.
-class Linted final : public lang::CheckedText {
- public:
-  Linted(std::shared_ptr<const lang::Document> document, const lang::ProgramOptions& program,
-         lang::LintConfigs& configs)
-      : document_(std::move(document)), compiler_(*document_, program, sink_) {
-    lang::lint(compiler_, *document_, sink_);
-    const std::string scene = document_->name();
-    const auto is_wanted = [&](const lang::DiagnosticInfo& info, const lang::SourceFile* file) {
-      const std::string place = file == nullptr ? scene : file->name();
-      return configs.of(place, scene)
-          .wants(info.code, std::filesystem::absolute(place).lexically_normal());
-    };
-    findings_ = select_unallowed(sink_, {.is_wanted = is_wanted});
-  }
-
-  const lang::SourceFile& file() const override { return *document_; }
-  std::size_t error_count() const override { return sink_.error_count(); }
-  const lang::Findings& findings() const override { return findings_; }
-
- private:
-  std::shared_ptr<const lang::Document> document_;
-  lang::DiagnosticSink sink_;
-  lang::Compiler compiler_;  // holds texts that the sink refers to
-  lang::Findings findings_;
-};
+/// Checks a text by the `.sdlc.toml` of its folder.
+std::unique_ptr<lang::CheckedText> linted(std::shared_ptr<const lang::Document> document,
+                                          const lang::ProgramOptions& program,
+                                          lang::LintConfigs& configs) {
+  const auto is_wanted = [&configs, scene = document->name()](const lang::DiagnosticInfo& info,
+                                                              const lang::SourceFile* file) {
+    const std::string place = file == nullptr ? scene : file->name();
+    return configs.of(place, scene)
+        .wants(info.code, std::filesystem::absolute(place).lexically_normal());
+  };
+  return std::make_unique<lang::LintedText>(std::move(document), program,
+                                            lang::FindingsFilter{.is_wanted = is_wanted});
+}
 
 /// Files as they are now.
 struct Files {
@@ -112,9 +99,9 @@ Json lint(const Json& parameters) {
   Files files;
   lang::LintConfigs configs({}, files.workspace);
   const lang::ProgramOptions options = program_options(parameters, files.workspace);
-  const Linted linted(read_file(parameters, options), options, configs);
+  const auto checked = linted(read_file(parameters, options), options, configs);
   refuse_wrong_configs(configs);
-  return report(linted.findings());
+  return report(checked->findings());
 }
 
 Json fix(const Json& parameters) {
@@ -123,13 +110,11 @@ Json fix(const Json& parameters) {
   const lang::ProgramOptions options = program_options(parameters, files.workspace);
   auto document = read_file(parameters, options);
   const std::string name = document->name();
-  const auto check = [&](std::string text) -> std::unique_ptr<lang::CheckedText> {
-    return std::make_unique<Linted>(std::make_shared<const lang::Document>(name, std::move(text)),
-                                    options, configs);
+  const auto check = [&](std::string text) {
+    return linted(std::make_shared<const lang::Document>(name, std::move(text)), options, configs);
   };
-  const lang::FixResult result =
-      lang::fix_text(std::make_unique<Linted>(std::move(document), options, configs),
-                     parameters.value("unsafe", false), check);
+  const lang::FixResult result = lang::fix_text(linted(std::move(document), options, configs),
+                                                parameters.value("unsafe", false), check);
   refuse_wrong_configs(configs);
   return {{"text", result.checked->file().text()},
           {"applied", result.applied},

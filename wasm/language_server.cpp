@@ -24,7 +24,7 @@ class LanguageServer {
   }
 
  private:
-  /// Each is behind a header, lsp::with_header().
+  /// Each follows a header, lsp::with_header().
   static Json messages_of(std::string_view sent) {
     constexpr std::string_view kLength = "Content-Length: ", kEnd = "\r\n\r\n";
     Json messages = Json::array();

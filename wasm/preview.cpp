@@ -16,7 +16,8 @@
 namespace sdlc::wasm {
 namespace {
 
-/// What `sdlc serve --editor` is, with one page, which is in the same browser.
+/// What `sdlc serve --editor` is, with one page, which is in the same browser and opens places
+/// itself.
 class Preview {
  public:
   explicit Preview(const Json& parameters)
@@ -44,7 +45,6 @@ class Preview {
     if (render_.has_work()) render_.step(seconds);
     last_picture_ = std::exchange(picture_, {});  // also one that an answer between steps has made
     Json answer{{"messages", std::exchange(messages_, Json::array())},
-                {"opened", lines_of(out_)},
                 {"picture_bytes", last_picture_.size()},
                 {"has_work", render_.has_work()}};
     return answer;
@@ -57,19 +57,11 @@ class Preview {
  private:
   static constexpr cli::WebServer::Viewer kViewer = 1;
 
-  static Json lines_of(std::ostringstream& out) {
-    Json lines = Json::array();
-    std::istringstream text(out.str());
-    for (std::string line; std::getline(text, line);) lines.push_back(Json::parse(line));
-    out.str({});
-    return lines;
-  }
-
   void send(std::string message, cli::WebServer::MessageType type) {
     if (type == cli::WebServer::MessageType::Binary) {
       picture_ = std::move(message);
     } else {
-      messages_.push_back(Json::parse(message));
+      messages_.push_back(std::move(message));
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/json_values.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/object/check.hpp"
 #include "lang/schema/schema.hpp"
@@ -25,6 +26,7 @@
 #include "render/session/render.hpp"
 #include "render/session/render_film.hpp"
 #include "wasm/calls.hpp"
+#include "wasm/render_step.hpp"
 
 namespace sdlc::wasm {
 namespace {
@@ -51,7 +53,6 @@ class RenderSession {
   std::optional<lang::Compiler> compiler_;
   std::optional<lang::Animation> animation_;
   lang::LoweredScene lowered_;
-  render::Scene scene_;
   std::optional<render::PreparedScene> prepared_;
   render::StoredFilm film_;
   render::Clock::time_point start_;
@@ -98,21 +99,13 @@ Json RenderSession::description() {
 }
 
 Json RenderSession::step(double seconds) {
-  const auto deadline = render::Clock::now() + std::chrono::duration<double>(seconds);
   render::RenderMonitor monitor;
-  monitor.shows_passes = true;
-  // Not before there is progress: to begin may take longer than the step.
-  const auto stop_when_due = [&] {
-    if (render::Clock::now() >= deadline && monitor.samples_done > 0) monitor.cancel = true;
-  };
-  monitor.before_tile = stop_when_due;
   monitor.on_pass = [&](const render::Film& /*film*/, const auto& error) {
-    share_ = monitor.goal_share.load();
+    share_ = std::max(share_, monitor.goal_share.load());
     error_ = error().error;
-    stop_when_due();
   };
   const render::RenderResult result =
-      render::render(*prepared_, lowered_.settings, monitor, &film_, start_);
+      render_step(*prepared_, lowered_.settings, monitor, film_, start_, seconds);
   if (result.is_complete) error_ = result.error;
   show(result);
   const render::RenderSettings& settings = lowered_.settings;
@@ -143,12 +136,6 @@ void RenderSession::show(const render::RenderResult& result) {
   }
 }
 
-Json place_json(const lang::Location& where) {
-  if (where.file == nullptr) return nullptr;
-  const lang::Position begin = where.file->position(where.span.begin);
-  return {{"file", where.file->name()}, {"line", begin.line}, {"column", begin.column}};
-}
-
 Json RenderSession::pick(int x, int y) {
   const render::RenderSettings& settings = lowered_.settings;
   if (x < 0 || y < 0 || x >= settings.width || y >= settings.height) return nullptr;
@@ -160,8 +147,8 @@ Json RenderSession::pick(int x, int y) {
   const auto origins = compiler_->trace_again(std::span(&picked->sphere, 1));
   if (origins.empty()) return answer;
   answer["name"] = origins.front().name;
-  answer["place"] = place_json(origins.front().where);
-  answer["material"] = place_json(origins.front().material);
+  answer["place"] = cli::location_json(origins.front().where);
+  answer["material"] = cli::location_json(origins.front().material);
   return answer;
 }
 

@@ -1,10 +1,12 @@
 #include "wasm/serve_render_steps.hpp"
 
-#include <chrono>
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "render/math/clock.hpp"
 #include "render/session/render_film.hpp"
+#include "wasm/render_step.hpp"
 
 namespace sdlc::wasm {
 
@@ -39,24 +41,20 @@ void ServeRenderSteps::step(double seconds) {
 }
 
 bool ServeRenderSteps::trace(Job& job, double seconds) {
-  const auto deadline = render::Clock::now() + std::chrono::duration<double>(seconds);
+  const Order& order = job.order;
+  if (!std::exchange(job.has_looked, true)) {
+    render::RenderMonitor monitor;
+    show_first_look(order, monitor);
+  }
   render::RenderMonitor monitor;
-  if (!std::exchange(job.has_looked, true)) show_first_look(job.order, monitor);
-  const auto stop_when_due = [&] {
-    if (render::Clock::now() >= deadline) monitor.cancel = true;
-  };
-  monitor.shows_passes = true;
-  monitor.before_tile = stop_when_due;
   monitor.on_pass = [&](const render::Film& film,
                         const std::function<render::ErrorSoFar()>& error) {
-    show_pass(job.order, film, error);
-    stop_when_due();
+    show_pass(order, film, error);
   };
-  const Order& order = job.order;
   render::RenderResult result =
-      render::render(*order.prepared, order.settings, monitor, &job.film, order.start);
+      render_step(*order.prepared, order.settings, monitor, job.film, order.start, seconds);
   job.samples = result.camera_samples;
-  job.goal_share = monitor.goal_share;
+  job.goal_share = std::max(job.goal_share, monitor.goal_share.load());
   if (!result.is_complete) return false;
   show_finished(order, std::move(result));
   return true;

@@ -9,11 +9,12 @@ let early = []; // messages that came before the engine
 let files = {};
 let main;
 let settings = [];
-let isRendering = false; // a preview has been started
+let hasPreview = false;
+let isStopped = false; // the render of the preview, by the page
 let isStepping = false; // a step is to come
-const views = new Map(); // what the page has said of itself: a new preview has to know it
+const kept = new Map(); // what the page has said of itself and of the scene: a new preview has to know it
 
-const outOfFolder = (message) => JSON.parse(JSON.stringify(message).replaceAll(kFolder, ''));
+const outOfFolder = (text) => JSON.parse(text.replaceAll(kFolder, ''));
 const show = (message) => postMessage({ from: 'preview', message });
 
 /** Settings as the arguments of `sdlc render`: `--width=480`, `--error=5%`, `--denoise`. */
@@ -31,38 +32,28 @@ function optionsOf(flags) {
 
 function startPreview() {
   engine.startPreview(main, optionsOf(settings));
-  for (const message of views.values()) engine.tellPreview(message);
-  isRendering = true;
+  for (const message of kept.values()) engine.tellPreview(message);
+  hasPreview = true;
+  isStopped = false;
   step();
 }
 
+const turns = new MessageChannel(); // a timer would wait for 4 ms
 /** Goes on while there is work; between two steps the worker takes messages. */
 function step() {
-  if (isStepping || !isRendering) return;
+  if (isStepping || !hasPreview) return;
   isStepping = true;
-  later(() => {
-    isStepping = false;
-    if (!isRendering) return;
-    attempt(() => {
-      const { messages, opened, picture, hasWork } = engine.stepPreview(kStep);
-      for (const message of messages) show(outOfFolder(message));
-      for (const { path, line, column } of opened) {
-        postMessage({ from: 'open', path: path.replace(kFolder, ''), line, column });
-      }
-      if (picture) postMessage({ from: 'preview', message: picture }, [picture]);
-      if (hasWork) step();
-    });
-  });
-}
-
-// A timer would wait for 4 ms.
-const turns = new MessageChannel();
-const waiting = [];
-turns.port2.onmessage = () => waiting.shift()();
-function later(action) {
-  waiting.push(action);
   turns.port1.postMessage(null);
 }
+turns.port2.onmessage = () => {
+  isStepping = false;
+  attempt(() => {
+    const { messages, picture, hasWork } = engine.stepPreview(kStep);
+    for (const text of messages) show(outOfFolder(text));
+    if (picture) postMessage({ from: 'preview', message: picture }, [picture]);
+    if (hasWork) step();
+  });
+};
 
 function attempt(action) {
   try {
@@ -103,29 +94,34 @@ const handlers = {
     }
     const isOther = main !== message.main;
     main = message.main;
-    if (!message.render) isRendering = false;
-    else if (isOther || !isRendering) startPreview();
-    else if (changes.length > 0) engine.changePreview({ files: true });
+    if (!message.render) return handlers.stop();
+    if (isOther || !hasPreview || isStopped) return startPreview();
+    if (changes.length > 0) engine.changePreview({ files: true });
     step();
   },
   settings(message) {
     settings = message.arguments;
-    if (isRendering) startPreview();
+    if (hasPreview && !isStopped) startPreview();
   },
   preview({ message }) {
-    if (message.type === 'view' || message.type === 'visible') views.set(message.type, message);
-    if (message.type === 'choose') views.set('choose', { ...views.get('choose'), ...message, params: { ...views.get('choose')?.params, ...message.params } });
-    if (!isRendering) return;
-    engine.tellPreview(message.type === 'open' ? { ...message, place: { ...message.place, path: kFolder + message.place.path } } : message);
+    if (message.type === 'view' || message.type === 'visible') kept.set(message.type, message);
+    if (message.type === 'choose') {
+      const before = kept.get('choose');
+      kept.set('choose', { ...before, ...message, params: { ...before?.params, ...message.params } });
+      if (isStopped) return; // it would be rendered
+    }
+    if (!hasPreview) return;
+    engine.tellPreview(message);
     step();
   },
   cursor({ path, line, column }) {
-    if (!isRendering) return;
+    if (!hasPreview) return;
     engine.changePreview({ cursor: { path: kFolder + path, line, column } });
     step();
   },
   stop() {
-    isRendering = false;
+    isStopped = true;
+    if (hasPreview) engine.changePreview({ stop: true });
     show({ type: 'progress', share: 0, is_running: false });
   },
   lsp({ message }) {

@@ -274,8 +274,6 @@ function takeMessage(message) {
     language.receive(message.message);
   } else if (message.from === 'preview') {
     takePreview(message.message);
-  } else if (message.from === 'open') {
-    goTo(message);
   } else if (message.from === 'convert') {
     conversions.get(message.id)?.(message);
     conversions.delete(message.id);

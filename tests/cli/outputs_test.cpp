@@ -39,6 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 constexpr const char* kScene = R"(scene 1
 import "paint.scene" as paint
@@ -279,6 +280,29 @@ TEST_F(Outputs, DoNotTakeTheNumbersOfClosedStreams) {
   }
   EXPECT_EQ(run("render c.json -o a.png 0<&- 1>&- 2>&-").exit_code, 0);
   EXPECT_EQ(run("render - -o a.png 0<&-").exit_code, 2) << "standard input cannot be read";
+}
+
+TEST_F(Outputs, OpenThePictureModuleOnlyForPictures) {
+  write_text(folder_ / "bad.scene", "scene 1\nsphere { }\n");
+  const std::string nowhere = "SDLC_MODULE_PATH=/nowhere \"$SDLC\" ";
+  EXPECT_EQ(run_shell(folder_.path(), nowhere + "--help").exit_code, 0);
+  EXPECT_EQ(run_shell(folder_.path(), nowhere + "render bad.scene").exit_code, 1);
+  EXPECT_EQ(run_shell(folder_.path(), nowhere + "render ball.scene").exit_code, 2);
+}
+
+TEST_F(Outputs, ThatNoModuleWritesAreRefusedBeforeTheSceneIsRead) {
+  const std::string nowhere = "SDLC_MODULE_PATH=/nowhere \"$SDLC\" ";
+  for (const char* command :
+       {"render absent.scene -o a.exr", "render absent.scene -o a.exr --watch",
+        "merge absent.film -o a.exr"}) {
+    const ProgramResult result = run_shell(folder_.path(), nowhere + command);
+    EXPECT_EQ(result.exit_code, 2) << command;
+    EXPECT_THAT(result.err, StartsWith("error: cannot write `a.exr`: cannot load")) << command;
+  }
+  const std::string farm = nowhere + "farm ball.scene --tasks 2 --aov depth -o job --engine ";
+  EXPECT_THAT(run_shell(folder_.path(), farm + "shell").err, HasSubstr(".exr`: cannot load"));
+  EXPECT_EQ(run_shell(folder_.path(), farm + "kubernetes").exit_code,
+            0);  // its container has a program of its own
 }
 
 }  // namespace

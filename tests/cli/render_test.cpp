@@ -683,28 +683,6 @@ TEST_F(RenderCommand, ReportsThatStandardOutputCannotBeWritten) {
   EXPECT_EQ(run("\"$SDLC\" render ball.scene --stats - >&-").exit_code, 2);
 }
 
-TEST_F(RenderCommand, OpensThePictureModuleOnlyForPictures) {
-  write_text(folder_ / "bad.scene", "scene 1\nsphere { }\n");
-  const std::string nowhere = "SDLC_MODULE_PATH=/nowhere \"$SDLC\" ";
-  EXPECT_EQ(run(nowhere + "--help").exit_code, 0);
-  EXPECT_EQ(run(nowhere + "render bad.scene").exit_code, 1);
-  EXPECT_EQ(run(nowhere + "render ball.scene").exit_code, 2);
-}
-
-TEST_F(RenderCommand, RefusesAPictureThatNoModuleWritesBeforeItReadsTheScene) {
-  const std::string nowhere = "SDLC_MODULE_PATH=/nowhere \"$SDLC\" ";
-  for (const char* command :
-       {"render absent.scene -o a.exr", "render absent.scene -o a.exr --watch",
-        "merge absent.film -o a.exr"}) {
-    const ProgramResult result = run(nowhere + command);
-    EXPECT_EQ(result.exit_code, 2) << command;
-    EXPECT_THAT(result.err, StartsWith("error: cannot write `a.exr`: cannot load")) << command;
-  }
-  const std::string farm = nowhere + "farm ball.scene --tasks 2 --aov depth -o job --engine ";
-  EXPECT_THAT(run(farm + "shell").err, HasSubstr(".exr`: cannot load"));
-  EXPECT_EQ(run(farm + "kubernetes").exit_code, 0);  // its container has a program of its own
-}
-
 TEST_F(RenderCommand, ShowsExamplesInItsHelp) {
   const ProgramResult result = run("\"$SDLC\" render --help");
   EXPECT_EQ(result.exit_code, 0);

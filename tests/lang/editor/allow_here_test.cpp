@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/format/format.hpp"
-#include "tests/lang/editor/linted_text.hpp"
+#include "lang/lint/linted_text.hpp"
 #include "tests/support/case_flags/case_flags.hpp"
 #include "tests/support/file_test.hpp"
 
@@ -91,7 +91,7 @@ TEST(AllowHere, IsNothingWhereNothingCanBeAllowed) {
 /// A finding without its place, since an edit moves places.
 using Known = std::tuple<std::string_view, std::string, std::string>;
 
-std::multimap<Known, const lang::Diagnostic*> findings_of(const LintedText& linted) {
+std::multimap<Known, const lang::Diagnostic*> findings_of(const lang::LintedText& linted) {
   std::multimap<Known, const lang::Diagnostic*> all;
   for (const lang::Diagnostic* found : linted.findings().shown) {
     const auto& [file, span] = found->where;
@@ -103,10 +103,10 @@ std::multimap<Known, const lang::Diagnostic*> findings_of(const LintedText& lint
 
 class AllowHereFiles : public testing::TestWithParam<FileCase> {
  protected:
-  std::unique_ptr<LintedText> lint(std::string text) {
-    return std::make_unique<LintedText>(
+  std::unique_ptr<lang::LintedText> lint(std::string text) {
+    return std::make_unique<lang::LintedText>(
         std::make_shared<const lang::Document>("case.scene", std::move(text)),
-        program_options(GetParam(), workspace_));
+        program_options(GetParam(), workspace_), lang::FindingsFilter{.max_per_severity = 10'000});
   }
 
  private:

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "lang/diagnostics/fixes.hpp"
-#include "tests/lang/editor/linted_text.hpp"
+#include "lang/lint/linted_text.hpp"
 #include "tests/support/file_test.hpp"
 
 namespace sdlc::test {
@@ -24,7 +24,7 @@ struct Fixed {
 
 std::vector<Fixed> quick_fixes(const std::string& text) {
   const auto document = std::make_shared<const lang::Document>("ball.scene", text);
-  const LintedText linted(document);
+  const lang::LintedText linted(document);
   lang::QuickFixes fixes;
   std::vector<Fixed> all;
   for (const lang::Diagnostic* found : linted.findings().shown) {
@@ -106,7 +106,7 @@ TEST(QuickFixes, CountEqualChanges) {
 }
 
 /// The action for all findings like the first that has a fix.
-std::optional<lang::QuickFix> everywhere(const LintedText& linted) {
+std::optional<lang::QuickFix> everywhere(const lang::LintedText& linted) {
   for (const lang::Diagnostic* found : linted.findings().shown) {
     if (!found->fixes.empty()) return lang::fix_everywhere(*found, linted.findings().shown);
   }
@@ -118,7 +118,7 @@ TEST(FixEverywhere, FixesTheSameMistakeInTheWholeFile) {
       "scene 1\n" + kCamera +
       "sphere { center: (0, 0, 0), radus: 1 }\nsphere { center: (0, 3, 0), radus: 2 }\n"
       "sphere { center: (0, 6, 0), raduis: 2 }\nsphere { center: (0, 9, 0), radus: 3 }\n";
-  const LintedText linted(std::make_shared<const lang::Document>("ball.scene", text));
+  const lang::LintedText linted(std::make_shared<const lang::Document>("ball.scene", text));
   const auto fix = everywhere(linted);
   ASSERT_TRUE(fix);
   EXPECT_EQ(fix->title, "Replace all `radus` with `radius` in this file (3 places)");
@@ -132,7 +132,7 @@ TEST(FixEverywhere, FixesTheSameMistakeInTheWholeFile) {
 }
 
 TEST(FixEverywhere, RemovesTheSameSign) {
-  const LintedText linted(
+  const lang::LintedText linted(
       std::make_shared<const lang::Document>("a.scene", "scene 1\nlet a = 1;\nlet b = 2;\n"));
   EXPECT_EQ(everywhere(linted)->title, "Remove all `;` in this file (2 places)");
 }
@@ -141,7 +141,7 @@ TEST(FixEverywhere, IsNotForOneMistakeOrForOthersOfTheSameText) {
   for (const char* rest :
        {"sphere { radus: 1 }\n", "sphere { radus: 1 }\nlet a = radus\n",
         "sphere { radus: 1 }\nsphere { Radus: 1 }\n", "let a = [1 2]\nlet b = [1 2]\n"}) {
-    const LintedText linted(
+    const lang::LintedText linted(
         std::make_shared<const lang::Document>("a.scene", "scene 1\n" + std::string(rest)));
     EXPECT_FALSE(everywhere(linted)) << rest;
   }
@@ -159,7 +159,7 @@ TEST(FixEverywhere, KeepsToTheFileOfTheFinding) {
 
 lang::FixAll fix_all(const std::string& text, const lang::FindingsFilter& filter = {}) {
   const auto check = [&](std::string each) {
-    return std::make_unique<LintedText>(
+    return std::make_unique<lang::LintedText>(
         std::make_shared<const lang::Document>("ball.scene", std::move(each)),
         lang::ProgramOptions{}, filter);
   };

@@ -11,34 +11,16 @@
 #include "lang/allowances/allowances.hpp"
 #include "lang/compile/compile.hpp"
 #include "lang/lint/fix_guard.hpp"
-#include "lang/lint/lint.hpp"
+#include "lang/lint/linted_text.hpp"
 
 // Results of fixes: safe ones produce the certain meaning, unsafe ones the probable meaning, and
 // neither adds errors.
 namespace sdlc::lang {
 namespace {
 
-class Checked final : public CheckedText {
- public:
-  Checked(std::string name, std::string text)
-      : file_(std::move(name), std::move(text)), compiler_(file_, {}, sink_) {
-    lint(compiler_, file_, sink_);
-    findings_ = select_unallowed(sink_);
-  }
-  const SourceFile& file() const override { return file_; }
-  std::size_t error_count() const override { return sink_.error_count(); }
-  const Findings& findings() const override { return findings_; }
-
- private:
-  Document file_;
-  DiagnosticSink sink_;
-  Findings findings_;
-  Compiler compiler_;
-};
-
 FixResult fix(const std::string& name, std::string text, bool applies_unsafe) {
   const CheckText check = [&](std::string fixed) {
-    return std::make_unique<Checked>(name, std::move(fixed));
+    return std::make_unique<LintedText>(std::make_shared<const Document>(name, std::move(fixed)));
   };
   return fix_text(check(std::move(text)), applies_unsafe, check);
 }
