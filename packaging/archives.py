@@ -4,6 +4,10 @@
 Puts a program without shared libraries into packages: a tar file, a wheel for pip, and two packages for npm, of which
 sdlc-lint depends on the one of the machine. MACHINE is as `uname -m` prints it. The same program gives the same bytes:
 files have the time SOURCE_DATE_EPOCH, or that of the year 1980, the first one in a zip file.
+
+usage: archives.py --wasm FOLDER OUTPUT
+
+Puts the WebAssembly modules in FOLDER into a package for npm, beside its bill of materials.
 """
 
 import base64
@@ -26,8 +30,8 @@ SUMMARY = "Compiler, linter and renderer of a scene language"
 LICENCE = "Apache-2.0"
 # Names of the same machine elsewhere.
 NODE_MACHINES = {"x86_64": "x64", "aarch64": "arm64"}
-# The licences of the C library and of libstdc++, beyond their notices.
-LICENCES = ("LGPL-2.1", "GPL-3")
+# Licences to which the notices refer.
+LICENCES = {"sdlc-static": ("LGPL-2.1", "GPL-3"), "sdlc-wasm": ("Apache-2.0",)}
 SHARE = pathlib.Path("/usr/share")
 WHEEL_PLATFORMS = "manylinux_2_17_{0}.musllinux_1_1_{0}"
 
@@ -49,15 +53,14 @@ def own_licence():
     return Entry("LICENSE", (HERE.parent / "LICENSE").read_bytes())
 
 
-def notices():
-    """Of the program: the licence, the notices of what is compiled and linked in, and the licences they refer to."""
+def notices(package="sdlc-static"):
+    """Of a package: the licence, the notices of what is compiled and linked in, and the licences they refer to."""
     # Those of headers are in packaging/copyright.
-    linked = [library.debian for library in sbom.libraries_of("sdlc-static")
-              if library.joined["sdlc-static"] == "static library"]
+    linked = [library.debian for library in sbom.libraries_of(package) if library.joined[package] == "static library"]
     files = {
         "notices/sdlc": HERE / "copyright",
         **{f"notices/{name}": SHARE / "doc" / name / "copyright" for name in linked},
-        **{f"notices/{name}": SHARE / "common-licenses" / name for name in LICENCES},
+        **{f"notices/{name}": SHARE / "common-licenses" / name for name in LICENCES[package]},
     }
     return [own_licence(), *(Entry(name, path.read_bytes()) for name, path in files.items())]
 
@@ -129,7 +132,17 @@ def npm(program, version, machine, output):
                           for name in ("lint.js", "run.js", "sdlc.js"))])
 
 
+def wasm(folder, output):
+    manifest = json.loads((folder / "package.json").read_text())
+    names = ["package.json", "README.md", *manifest["files"]]
+    write_tar(output / f"sdlc-wasm-{manifest['version']}.tgz", "package",
+              [*(Entry(name, (folder / name).read_bytes()) for name in names), *notices("sdlc-wasm")])
+    sbom.write("sdlc-wasm", manifest["version"], output)
+
+
 def main():
+    if len(sys.argv) == 4 and sys.argv[1] == "--wasm":
+        return wasm(*map(pathlib.Path, sys.argv[2:]))
     if len(sys.argv) != 5:
         sys.exit(__doc__)
     program = pathlib.Path(sys.argv[1]).read_bytes()

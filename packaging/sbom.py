@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """usage: sbom.py VERSION FOLDER PACKAGE...
 
-Writes the bill of materials of each package, sdlc, sdlc-openimageio or sdlc-static, to FOLDER/PACKAGE-VERSION.cdx.json,
-as CycloneDX 1.5: each library that it contains or links, as the table of THIRD_PARTY.md says, with the version of the
-Debian package from which it was taken.
+Writes the bill of materials of each package, sdlc, sdlc-openimageio, sdlc-static or sdlc-wasm, to
+FOLDER/PACKAGE-VERSION.cdx.json, as CycloneDX 1.5: each library that it contains or links, as the table of
+THIRD_PARTY.md says, with the version of the Debian package from which it was taken.
 """
 
 import collections
@@ -16,7 +16,7 @@ import sys
 # `debian` is a package, `terms` are in SPDX's words, `joined` has `headers`, `shared library` or `static library`
 # for each of our packages that has the library.
 Library = collections.namedtuple("Library", "name debian terms joined")
-PACKAGES = {"sdlc", "sdlc-openimageio", "sdlc-static"}
+PACKAGES = {"sdlc", "sdlc-openimageio", "sdlc-static", "sdlc-wasm"}
 OUTSIDE = "not part of the program"
 
 
@@ -66,14 +66,18 @@ def bill(package, version):
     }
 
 
+def write(package, version, folder):
+    path = pathlib.Path(folder, f"{package}-{version}.cdx.json")
+    path.write_text(json.dumps(bill(package, version), indent=2) + "\n")
+    print(path)
+
+
 def main():
     if len(sys.argv) < 4 or not PACKAGES.issuperset(sys.argv[3:]):
         sys.exit(__doc__)
     version, folder = sys.argv[1:3]
     for package in sys.argv[3:]:
-        path = pathlib.Path(folder, f"{package}-{version}.cdx.json")
-        path.write_text(json.dumps(bill(package, version), indent=2) + "\n")
-        print(path)
+        write(package, version, folder)
 
 
 if __name__ == "__main__":
