@@ -4,6 +4,7 @@ export const groups = [
   {
     title: 'Start',
     pages: [
+      'docs/playground.md',
       'docs/install.md',
       'docs/tutorial*.md',
       'docs/tutorial/*.md',
