@@ -56,12 +56,13 @@ async function bundleEngine(engine) {
   cpSync(join(root, 'site/playground/engine.js'), join(parts, 'engine.js'));
   cpSync(join(root, 'wasm/index.mjs'), join(parts, 'index.mjs'));
   cpSync(join(engine, 'sdlc.mjs'), join(parts, 'sdlc.mjs'));
-  const options = { format: 'iife', target: 'es2022', define: { 'import.meta.url': '""' } };
   await bundle({
-    ...options,
     entryPoints: [join(parts, 'engine.js')],
     outfile: packed('dist/web/engine.js'),
+    format: 'iife',
+    target: 'es2022',
     external: ['node:*'],
+    define: { 'import.meta.url': '"file:///"' }, // of a blob there is none, and nothing is loaded
   });
   rmSync(parts, { recursive: true });
 }

@@ -61,5 +61,6 @@ fi
 # The same sources give the same bytes.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)}
 export SOURCE_DATE_EPOCH
-"$folder/node_modules/.bin/vsce" package --no-dependencies --allow-missing-repository "${options[@]}" --out "$output" >&2
+options+=(--no-dependencies --allow-missing-repository --out "$output")
+"$folder/node_modules/.bin/vsce" package "${options[@]}" >&2
 printf '%s\n' "$output"

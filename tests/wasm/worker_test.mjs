@@ -43,13 +43,14 @@ async function startedWorker(t) {
   const ready = see(({ from }) => from === 'ready');
   post({ to: 'start', module, folder: '/workspace/' });
   await ready;
-  return { post, lsp, see, findings: () => see(({ from, message }) => from === 'lsp' && message.method === 'textDocument/publishDiagnostics') };
+  const findings = () => see(({ message }) => message?.method === 'textDocument/publishDiagnostics');
+  return { post, lsp, see, findings };
 }
 
 const kScene = `scene 1
 import "parts.scene" as parts
-camera main { from: (0, 1, 5), at: (0, 0, 0) }
-background { color: white }
+camera main { from: (0, 1, 5), at: (0, 0, 0), fov: 40deg }
+background { top: white, bottom: white }
 render { width: 16, samples: 4 }
 sphere ball { center: (0, 0, 0), radius: parts.size, material: diffuse(color: tan) }
 `;
@@ -58,56 +59,59 @@ const uri = 'file:///workspace/disk/a%20b/ball.scene';
 
 async function initialize({ lsp, see }) {
   const answer = see(({ message }) => message?.id === 1);
-  lsp({ id: 1, method: 'initialize', params: { processId: null, rootUri: 'file:///workspace/disk', capabilities: {} } });
+  const params = { processId: null, rootUri: 'file:///workspace/disk', capabilities: {} };
+  lsp({ id: 1, method: 'initialize', params });
   await answer;
   lsp({ method: 'initialized', params: {} });
 }
 
-async function open(worker, text) {
-  const found = worker.findings();
-  worker.lsp({
-    method: 'textDocument/didOpen',
-    params: { textDocument: { uri, languageId: 'scene', version: 1, text } },
-  });
-  return (await found).message.params.diagnostics.map(({ code }) => code);
+function open(worker, text) {
+  const textDocument = { uri, languageId: 'scene', version: 1, text };
+  worker.lsp({ method: 'textDocument/didOpen', params: { textDocument } });
 }
 
 test('imports are files that were sent, and a later change of one is checked', async (t) => {
   const worker = await startedWorker(t);
-  worker.post({ to: 'changes', files: { 'disk/a b/parts.scene': bytes('scene 1\nlet size = 1\n') } });
+  worker.post({ to: 'changes', files: { 'disk/a b/parts.scene': bytes('scene 1\nlet length = 1\n') } });
   await initialize(worker);
-  assert.deepEqual(await open(worker, kScene), []);
-  const gone = worker.findings();
+  const unknown = worker.findings();
+  open(worker, kScene);
+  assert.match(JSON.stringify((await unknown).message.params.diagnostics), /parts.size/);
+  const none = worker.findings();
+  worker.post({ to: 'changes', files: { 'disk/a b/parts.scene': bytes('scene 1\nlet size = 1\n') } });
+  assert.deepEqual((await none).message.params.diagnostics, []);
+  const missing = worker.findings();
   worker.post({ to: 'changes', files: { 'disk/a b/parts.scene': null, 'disk/never.csv': null } });
-  assert.notDeepEqual((await gone).message.params.diagnostics, []);
+  assert.notDeepEqual((await missing).message.params.diagnostics, []);
 });
 
 test('changes of a text that have waited are checked once', async (t) => {
   const worker = await startedWorker(t);
   worker.post({ to: 'changes', files: { 'disk/a b/parts.scene': 'scene 1\nlet size = 1\n' } });
   await initialize(worker);
-  await open(worker, kScene);
+  open(worker, kScene);
   let count = 0;
   worker.see(({ message }) => message?.method === 'textDocument/publishDiagnostics' && ++count < 0);
-  const last = worker.see(({ message }) => message?.params?.version === 30);
+  const last = worker.see(({ message }) => JSON.stringify(message).includes('lenght'));
   for (let version = 2; version <= 30; ++version) {
     const position = { line: 0, character: 7 };
     worker.lsp({
       method: 'textDocument/didChange',
       params: {
         textDocument: { uri, version },
-        contentChanges: [{ range: { start: position, end: position }, text: version === 30 ? '\nlenght' : ' ' }],
+        contentChanges: [{ range: { start: position, end: position }, text: version === 30 ? '\nlenght' : 'x' }],
       },
     });
   }
-  assert.notDeepEqual((await last).message.params.diagnostics, []);
+  await last;
   assert.ok(count < 29, `${count} checks`);
 });
 
 test('a picture of a scene in a folder, whose names are relative to it, follows the files', async (t) => {
   const worker = await startedWorker(t);
   const main = 'disk/a b/ball.scene';
-  worker.post({ to: 'changes', files: { [main]: bytes(kScene), 'disk/a b/parts.scene': bytes('scene 1\nlet size = 1\n') } });
+  const parts = bytes('scene 1\nlet size = 1\n');
+  worker.post({ to: 'changes', files: { [main]: bytes(kScene), 'disk/a b/parts.scene': parts } });
   worker.post({ to: 'preview', message: { type: 'visible', value: true } });
   const scene = worker.see(({ message }) => message?.type === 'scene');
   const picture = worker.see(({ message }) => message instanceof ArrayBuffer);
@@ -127,4 +131,22 @@ test('a picture of a scene in a folder, whose names are relative to it, follows 
   const broken = worker.see(({ message: answer }) => answer?.type === 'scene' && !answer.is_correct);
   worker.post({ to: 'changes', files: { [main]: kScene.replace('radius', 'radus') } });
   assert.match(JSON.stringify((await broken).message.findings), /E104/);
+});
+
+test('files of the playground are all there are, and settings are those of the command', async (t) => {
+  const worker = await startedWorker(t);
+  const files = { 'ball.scene': kScene, 'parts.scene': 'scene 1\nlet size = 1\n' };
+  worker.post({ to: 'settings', arguments: ['--width=8', '--error=50%'] });
+  worker.post({ to: 'preview', message: { type: 'visible', value: true } });
+  const picture = worker.see(({ message }) => message instanceof ArrayBuffer);
+  const scene = worker.see(({ message }) => message?.type === 'scene');
+  worker.post({ to: 'files', files, main: 'ball.scene', render: true });
+  assert.match((await scene).message.command, /ball\.scene.*--width=8/);
+  assert.match(new TextDecoder().decode((await picture).message), /"full_width":8/);
+  const broken = worker.see(({ message }) => message?.type === 'scene' && !message.is_correct);
+  worker.post({ to: 'files', files: { 'ball.scene': kScene }, main: 'ball.scene', render: true });
+  assert.match(JSON.stringify((await broken).message.findings), /parts\.scene/);
+  const stopped = worker.see(({ message }) => message?.type === 'progress' && !message.is_running);
+  worker.post({ to: 'files', files, main: 'ball.scene', render: false });
+  await stopped;
 });

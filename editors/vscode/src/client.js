@@ -116,7 +116,7 @@ const clientOf = (Base) => class extends Base {
     try {
       await Promise.race([super.start(), failure]);
     } catch (error) {
-      throw new Error(`\`sdlc lsp\` does not start, see the log (${error.message}).`);
+      throw new Error(`The language server does not start, see the log (${error.message}).`);
     }
     this.#hasStarted = true;
   }

@@ -4,7 +4,8 @@
 # Drives the packaged extension and the real server in a real VS Code; with names, only the checks whose names contain
 # one of them. README.md describes it. Environment: what setup.sh prints; SDLC, the program (default:
 # build/release/bin/sdlc); SDLC_WASM, the folder of the engine (default: build/wasm/sdlc-wasm; without it the extension
-# for browsers is not driven); SDLC_SCREENS, the folder for screenshots (default: a new one, which is printed); CHROMIUM.
+# for browsers is not driven); SDLC_SCREENS, the folder for screenshots (default: a new one, which is printed);
+# CHROMIUM.
 set -euo pipefail
 unset CDPATH
 folder=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)

@@ -21,8 +21,11 @@ class Client extends clientOf(BaseLanguageClient) {
     const { middleware } = this.clientOptions;
     // The engine has to have the file first; it tells the server itself.
     middleware.workspace.didChangeWatchedFile = ({ uri }) => files.reload(converters.protocol2Code(uri));
-    middleware.executeCommand = (command, args, next) =>
-      command === 'sdlc.render' ? showCamera(converters.protocol2Code(args[0].uri), args[0].camera) : next(command, args);
+    middleware.executeCommand = (command, args, next) => {
+      if (command !== 'sdlc.render') return next(command, args);
+      const [{ uri, camera }] = args;
+      return showCamera(converters.protocol2Code(uri), camera);
+    };
   }
 
   async createMessageTransports() {

@@ -86,7 +86,7 @@ class Files {
     return [...folders, ...others];
   }
 
-  /** Breadth first, so that a limit cuts off what is deep. Other JSON files than configs are read at or below scenes. */
+  /** Breadth first, so that a limit cuts off what is deep. Other JSON files than configs: at or below scenes. */
   async #find() {
     const found = [];
     let folders = this.#roots();
