@@ -79,7 +79,8 @@ await session('trusted', [...writing, ...reading, ...names, ...commands, ...trou
 await session('untrusted', untrusted, { isTrusting: false, prepare: prepareUntrusted });
 if (existsSync(webVsix)) {
   const inBrowser = [...writing, ...reading, ...names, ...commands.filter(shared), ...web];
-  await session('web', inBrowser.map((check) => ({ ...check, name: `web: ${check.name}` })), { vsix: webVsix });
+  const settings = { 'files.autoSave': 'off' };
+  await session('web', inBrowser.map((check) => ({ ...check, name: `web: ${check.name}` })), { vsix: webVsix, settings });
 }
 console.log(`${counts.passed} passed, ${counts.failed} failed`);
 process.exitCode = counts.failed > 0 ? 1 : 0;

@@ -4,7 +4,7 @@
 const vscode = require('vscode');
 const { BaseLanguageClient, BrowserMessageReader, BrowserMessageWriter } = require('vscode-languageclient/browser');
 const { clientOf } = require('../client');
-const { converters } = require('./uris');
+const { converters, withPlainPaths } = require('./uris');
 
 class Client extends clientOf(BaseLanguageClient) {
   #engines;
@@ -33,7 +33,7 @@ class Client extends clientOf(BaseLanguageClient) {
     const reader = new BrowserMessageReader(port);
     this.#engine?.end();
     this.#engine = await this.#engines.start((message) => {
-      if (message.from === 'lsp') port.onmessage({ data: message.message });
+      if (message.from === 'lsp') port.onmessage({ data: withPlainPaths(message.message) });
       if (message.from !== 'failed') return;
       this.error(`the engine failed: ${message.text}`, undefined, false);
       reader.fireClose();

@@ -27,4 +27,9 @@ const converters = {
   },
 };
 
-module.exports = { FOLDER, converters, nameOf, uriOf };
+/** A message of the server whose texts have paths as they are in VS Code: `/owner/project/ball.scene`. */
+function withPlainPaths(message) {
+  return JSON.parse(JSON.stringify(message).replace(/(?<!file:\/\/)\/workspace\/[^/"]+\/[^/"]+(?=\/)/g, ''));
+}
+
+module.exports = { FOLDER, converters, nameOf, uriOf, withPlainPaths };

@@ -52,7 +52,7 @@ export const checks = [
   {
     name: 'the code lens of a camera shows what it sees',
     async run(bench) {
-      const other = 'camera other { from: (0, 1, -5), at: (0, 0, 0) }';
+      const other = 'camera other { from: (0, 1, -5), at: (0, 0, 0), fov: 40deg }';
       await bench.open('lens.scene', scene(other, BALL));
       await until('two of them', async () => (await bench.texts('.codelens-decoration a')).length === 2);
       const lenses = await bench.page.$$('.codelens-decoration a');
@@ -65,6 +65,11 @@ export const checks = [
     name: 'an import is read, and a change of its file',
     async run(bench) {
       bench.write('materials.scene', MATERIALS.replace('brass', 'bronze'));
+      await bench.open('user.scene', USER.replace('materials', 'nowhere'));
+      await bench.see('.squiggly-error');
+      await bench.goto(4, 12);
+      await bench.press('Control+k', 'Control+i');
+      await bench.seeText('.monaco-hover', `cannot read \`${bench.file('nowhere.scene')}\``);
       await bench.open('user.scene', USER);
       await bench.see('.squiggly-error');
       bench.write('materials.scene', MATERIALS);
