@@ -64,7 +64,7 @@ export const checks = [
   {
     name: 'an import is read, and a change of its file',
     async run(bench) {
-      bench.write('materials.scene', MATERIALS.replace('brass', 'bronze'));
+      bench.write('materials.scene', MATERIALS.replace('let brass', 'let bronze'));
       await bench.open('user.scene', USER.replace('materials', 'nowhere'));
       await bench.see('.squiggly-error');
       await bench.goto(4, 12);
