@@ -30,8 +30,8 @@ SUMMARY = "Compiler, linter and renderer of a scene language"
 LICENCE = "Apache-2.0"
 # Names of the same machine elsewhere.
 NODE_MACHINES = {"x86_64": "x64", "aarch64": "arm64"}
-# Licences to which the notices refer.
-LICENCES = {"sdlc-static": ("LGPL-2.1", "GPL-3"), "sdlc-wasm": ("Apache-2.0",)}
+# The licences of the C library and of libstdc++, beyond their notices.
+LICENCES = ("LGPL-2.1", "GPL-3")
 SHARE = pathlib.Path("/usr/share")
 WHEEL_PLATFORMS = "manylinux_2_17_{0}.musllinux_1_1_{0}"
 
@@ -53,14 +53,15 @@ def own_licence():
     return Entry("LICENSE", (HERE.parent / "LICENSE").read_bytes())
 
 
-def notices(package="sdlc-static"):
-    """Of a package: the licence, the notices of what is compiled and linked in, and the licences they refer to."""
+def notices():
+    """Of the program: the licence, the notices of what is compiled and linked in, and the licences they refer to."""
     # Those of headers are in packaging/copyright.
-    linked = [library.debian for library in sbom.libraries_of(package) if library.joined[package] == "static library"]
+    linked = [library.debian for library in sbom.libraries_of("sdlc-static")
+              if library.joined["sdlc-static"] == "static library"]
     files = {
         "notices/sdlc": HERE / "copyright",
         **{f"notices/{name}": SHARE / "doc" / name / "copyright" for name in linked},
-        **{f"notices/{name}": SHARE / "common-licenses" / name for name in LICENCES[package]},
+        **{f"notices/{name}": SHARE / "common-licenses" / name for name in LICENCES},
     }
     return [own_licence(), *(Entry(name, path.read_bytes()) for name, path in files.items())]
 
@@ -136,7 +137,7 @@ def wasm(folder, output):
     manifest = json.loads((folder / "package.json").read_text())
     names = ["package.json", "README.md", *manifest["files"]]
     write_tar(output / f"sdlc-wasm-{manifest['version']}.tgz", "package",
-              [*(Entry(name, (folder / name).read_bytes()) for name in names), *notices("sdlc-wasm")])
+              [*(Entry(name, (folder / name).read_bytes()) for name in names), own_licence()])
     sbom.write("sdlc-wasm", manifest["version"], output)
 
 

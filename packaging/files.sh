@@ -42,7 +42,7 @@ put icons/hicolor/scalable/apps/sdlc.svg <"$here/../editors/vscode/icons/scene-l
 # The examples and the documentation: what git has, or all where there is no checkout. The large reports are left out;
 # links to them, and to the rest of the sources, become their text.
 cd -- "$here/.."
-outside='s#\[([^]]*)\]\((reports/|(\.\./)+((editors|grammar|render)/|CHANGELOG))[^)]*\)#\1#g'
+outside='s#\[([^]]*)\]\((reports/|(\.\./)+((editors|grammar|render|wasm)/|CHANGELOG))[^)]*\)#\1#g'
 { [[ -e .git ]] && git -c safe.directory='*' ls-files -- docs examples 2>/dev/null || find docs examples -type f; } |
   LC_ALL=C sort | while read -r file; do
     target=$folder/sdlc/doc/sdlc/$file

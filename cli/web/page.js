@@ -23,10 +23,8 @@ function send(message) {
 }
 
 function connect() {
-  const url = new URL('live', location.href);
-  url.protocol = url.protocol.replace('http', 'ws');
   // The playground of the site has no server: its connection is to a worker.
-  socket = globalThis.openConnection?.() ?? new WebSocket(url);
+  socket = globalThis.openConnection?.() ?? new WebSocket(new URL('live', location.href.replace('http', 'ws')));
   socket.binaryType = 'arraybuffer';
   socket.onopen = () => {
     sendVisibility();

@@ -3,11 +3,10 @@ import { createHash } from 'node:crypto';
 import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { build as bundle, transform } from 'esbuild';
+import { fill, picturePage } from './picture-page.js';
 
 const here = import.meta.dirname;
 const escape = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
-/** Replaces @name@ by the value of that name. */
-const fill = (text, values) => text.replace(/@(\w+)@/g, (all, name) => values[name] ?? all);
 
 /** The classes of words with expressions for them, from the TextMate grammar; the first that matches counts. */
 function wordsOf({ repository }) {
@@ -70,16 +69,9 @@ export async function buildPlayground({ root, output, examples, first, engine })
   const inputs = Object.keys(metafile.inputs).map((path) => join(here, path));
   write('licenses.txt', licenses(inputs).join('\n\n---\n\n'));
 
-  // The picture's page is that of `sdlc serve`, with a connection to this page.
   write(
     'picture.html',
-    fill(read('cli/web/page.html'), {
-      style: `${read('cli/web/page.css')}#exr { display: none; }\n`,
-      script: `${local('picture.js')}</script>\n<script>\n${read('cli/web/page.js')}`,
-    })
-      .replaceAll(' nonce="@nonce@"', '')
-      .replace('href="data:,"', 'href="../assets/icon.svg"')
-      .replace(/href="picture\.(png|exr)"/g, 'href="#$1"'),
+    picturePage(root).replaceAll(' nonce="@nonce@"', '').replace('href="data:,"', 'href="../assets/icon.svg"'),
   );
 
   const relative = (path) => path.replace(/^examples\//, '');

@@ -5,19 +5,18 @@ const kPatience = 1000; // ms that a stop may take
 /** `report(message)` takes the messages of the worker; those of kind `failed` come at most once per worker. */
 export class Engine {
   #worker = null;
-  #module = null;
-  #threads = 1;
+  #options = {};
   #lastPing = 0;
   #stopTimer = 0;
 
-  constructor(report) {
+  constructor(report, makeWorker = () => new Worker('engine.js', { type: 'module' })) {
     this.report = report;
+    this.makeWorker = makeWorker;
   }
 
-  /** `module` is the compiled engine, so that a new worker starts at once; null: the worker loads what it needs. */
-  start(module, threads) {
-    this.#module = module;
-    this.#threads = threads;
+  /** `options` are those of the message `start`. */
+  start(options) {
+    this.#options = options;
     this.restart();
   }
 
@@ -32,7 +31,7 @@ export class Engine {
       this.report({ from: 'failed', kind: 'defect', text });
     };
     try {
-      worker = new Worker('engine.js', { type: 'module' });
+      worker = this.makeWorker();
     } catch (error) {
       return this.report({ from: 'failed', kind: 'absent', text: error.message });
     }
@@ -53,7 +52,13 @@ export class Engine {
         this.report(data);
       }
     };
-    this.post({ to: 'start', module: this.#module, threads: this.#threads });
+    this.post({ to: 'start', ...this.#options });
+  }
+
+  end() {
+    clearTimeout(this.#stopTimer);
+    this.#worker?.terminate();
+    this.#worker = null;
   }
 
   get isRunning() {

@@ -1,20 +1,21 @@
-// The worker of the playground: the WebAssembly engine. README.md has the messages.
+// The worker of the playground and of the extension for VS Code: the WebAssembly engine. README.md has the messages.
 import { createEngine, hasThreads } from './index.mjs';
 
-const kFolder = '/playground/'; // of the files, in the memory of the engine
 const kStep = 30; // ms between two looks at the messages
 
+let folder; // of the files, in the memory of the engine
 let engine;
 let early = []; // messages that came before the engine
-let files = {};
+const files = new Map(); // content by name
 let main;
 let settings = [];
 let hasPreview = false;
 let isStopped = false; // the render of the preview, by the page
-let isStepping = false; // a step is to come
+let hasWork = false; // the preview
+const requests = []; // to the language server
 const kept = new Map(); // what the page has said of itself and of the scene: a new preview has to know it
 
-const outOfFolder = (text) => JSON.parse(text.replaceAll(kFolder, ''));
+const outOfFolder = (text) => JSON.parse(text.replaceAll(folder, ''));
 const show = (message) => postMessage({ from: 'preview', message });
 
 /** Settings as the arguments of `sdlc render`: `--width=480`, `--error=5%`, `--denoise`. */
@@ -35,25 +36,63 @@ function startPreview() {
   for (const message of kept.values()) engine.tellPreview(message);
   hasPreview = true;
   isStopped = false;
-  step();
+  stepPreview();
+}
+
+function stepPreview() {
+  hasWork = hasPreview;
+  takeTurn();
 }
 
 const turns = new MessageChannel(); // a timer would wait for 4 ms
-/** Goes on while there is work; between two steps the worker takes messages. */
-function step() {
-  if (isStepping || !hasPreview) return;
-  isStepping = true;
+let isTurnToCome = false;
+/** Goes on while there is work; between two turns the worker takes messages. */
+function takeTurn() {
+  if (isTurnToCome || !(hasWork || requests.length > 0)) return;
+  isTurnToCome = true;
   turns.port1.postMessage(null);
 }
 turns.port2.onmessage = () => {
-  isStepping = false;
+  isTurnToCome = false;
   attempt(() => {
-    const { messages, picture, hasWork } = engine.stepPreview(kStep);
-    for (const text of messages) show(outOfFolder(text));
-    if (picture) postMessage({ from: 'preview', message: picture }, [picture]);
-    if (hasWork) step();
+    if (requests.length > 0) return answer(requests.shift());
+    const step = engine.stepPreview(kStep);
+    hasWork = step.hasWork;
+    for (const text of step.messages) show(outOfFolder(text));
+    if (step.picture) postMessage({ from: 'preview', message: step.picture }, [step.picture]);
   });
+  takeTurn();
 };
+
+function answer(message) {
+  for (const text of engine.receive(JSON.stringify(message))) postMessage({ from: 'lsp', message: JSON.parse(text) });
+}
+
+/** Changes of a text that have waited are checked once. */
+function wasAddedTo(last, { method, params }) {
+  if (method !== 'textDocument/didChange' || last?.method !== method) return false;
+  if (last.params.textDocument.uri !== params.textDocument.uri) return false;
+  last.params.textDocument = params.textDocument;
+  last.params.contentChanges.push(...params.contentChanges);
+  return true;
+}
+
+/** Writes files, and removes those whose content is null; false if nothing changes. */
+function write(contents) {
+  const changes = [];
+  for (const [name, content] of Object.entries(contents)) {
+    const known = files.get(name) ?? null;
+    if (content === known) continue;
+    if (content === null) engine.removeFile(folder + name);
+    else engine.writeFile(folder + name, content);
+    if (content === null) files.delete(name);
+    else files.set(name, content);
+    changes.push({ uri: `file://${encodeURI(folder + name)}`, type: known === null ? 1 : content === null ? 3 : 2 });
+  }
+  if (changes.length === 0) return false;
+  handlers.lsp({ message: { jsonrpc: '2.0', method: 'workspace/didChangeWatchedFiles', params: { changes } } });
+  return true;
+}
 
 function attempt(action) {
   try {
@@ -65,10 +104,11 @@ function attempt(action) {
 }
 
 const handlers = {
-  async start({ threads }) {
+  async start({ threads = 1, module, folder: root = '/playground/' }) {
+    folder = root;
     try {
-      engine = await createEngine({ threads: hasThreads() ? threads : 1 });
-      engine.enterFolder(kFolder);
+      engine = await createEngine({ threads: hasThreads() ? threads : 1, module: module ?? undefined });
+      engine.enterFolder(folder);
     } catch (error) {
       return postMessage({ from: 'failed', kind: 'absent', text: error.message });
     }
@@ -78,26 +118,25 @@ const handlers = {
     messages.forEach(take);
   },
   files(message) {
-    const changes = [];
-    for (const [name, text] of Object.entries(message.files)) {
-      if (files[name] === text) continue;
-      engine.writeFile(kFolder + name, text);
-      changes.push({ uri: `file://${kFolder}${name}`, type: name in files ? 2 : 1 });
-    }
-    for (const name of Object.keys(files).filter((each) => !(each in message.files))) {
-      engine.removeFile(kFolder + name);
-      changes.push({ uri: `file://${kFolder}${name}`, type: 3 });
-    }
-    files = message.files;
-    if (changes.length > 0) {
-      handlers.lsp({ message: { jsonrpc: '2.0', method: 'workspace/didChangeWatchedFiles', params: { changes } } });
-    }
+    const gone = [...files.keys()].filter((name) => !(name in message.files));
+    const hasChanged = write({ ...message.files, ...Object.fromEntries(gone.map((name) => [name, null])) });
     const isOther = main !== message.main;
     main = message.main;
     if (!message.render) return handlers.stop();
     if (isOther || !hasPreview || isStopped) return startPreview();
-    if (changes.length > 0) engine.changePreview({ files: true });
-    step();
+    if (hasChanged) engine.changePreview({ files: true });
+    stepPreview();
+  },
+  changes(message) {
+    if (!write(message.files) || !hasPreview) return;
+    engine.changePreview({ files: true });
+    stepPreview();
+  },
+  show(message) {
+    const end = message.main.lastIndexOf('/') + 1;
+    engine.enterFolder(folder + message.main.slice(0, end)); // names of files are relative to it
+    main = message.main.slice(end);
+    startPreview();
   },
   settings(message) {
     settings = message.arguments;
@@ -112,12 +151,12 @@ const handlers = {
     }
     if (!hasPreview) return;
     engine.tellPreview(message);
-    step();
+    stepPreview();
   },
   cursor({ path, line, column }) {
     if (!hasPreview) return;
-    engine.changePreview({ cursor: { path: kFolder + path, line, column } });
-    step();
+    engine.changePreview({ cursor: { path: folder + path, line, column } });
+    stepPreview();
   },
   stop() {
     isStopped = true;
@@ -125,7 +164,8 @@ const handlers = {
     show({ type: 'progress', share: 0, is_running: false });
   },
   lsp({ message }) {
-    for (const answer of engine.receive(JSON.stringify(message))) postMessage({ from: 'lsp', message: JSON.parse(answer) });
+    if (!wasAddedTo(requests.at(-1), message)) requests.push(message);
+    takeTurn();
   },
   convert({ id, text }) {
     engine.writeFile('/dropped.json', text);

@@ -641,7 +641,7 @@ async function startEngine() {
   const threads = crossOriginIsolated ? Math.min(16, navigator.hardwareConcurrency || 1) : 1;
   const name = document.body.dataset.engine.split(' ')[threads > 1 ? 1 : 0];
   const module = name ? await WebAssembly.compileStreaming(fetch(name)).catch(() => null) : null;
-  engine.start(module, threads);
+  engine.start({ module, threads });
 }
 
 async function openLink() {

@@ -2,13 +2,14 @@
 'use strict';
 
 const vscode = require('vscode');
-const { CloseAction, ErrorAction, LanguageClient, RevealOutputChannelOn } = require('vscode-languageclient/node');
+const { CloseAction, ErrorAction, RevealOutputChannelOn } = require('vscode-languageclient');
 const { selector } = require('./selector');
 
 /** The settings as the server takes them: an untrusted workspace is always a sandbox. */
 function settings() {
   const { threads, inlayHints, sandbox, trace } = vscode.workspace.getConfiguration('sdlc');
-  return { threads, inlayHints, sandbox: sandbox || !vscode.workspace.isTrusted, trace };
+  // A copy: the object of VS Code cannot be sent to a worker.
+  return { threads, inlayHints, sandbox: sandbox || !vscode.workspace.isTrusted, trace: { ...trace } };
 }
 
 /** The diagnostic with a link from its code to the page that explains it. */
@@ -29,9 +30,13 @@ function columnOf(uri) {
   return group?.viewColumn ?? vscode.ViewColumn.Beside;
 }
 
+/** Shows a text beside a preview. */
+function showText(uri, selection, preserveFocus = false) {
+  return vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus, selection });
+}
+
 /** Shows a picture beside the text, and a page of `sdlc explain` rendered; other documents as usual. */
-async function showDocument(params, next) {
-  const uri = vscode.Uri.parse(params.uri);
+async function showDocument(params, next, uri) {
   const page = /\/([EWS]\d{3})\.md$/.exec(uri.path);
   if (page) {
     await vscode.commands.executeCommand('sdlc.explainCode', page[1]);
@@ -40,7 +45,7 @@ async function showDocument(params, next) {
   if (params.selection) {
     const { start, end } = params.selection;
     const selection = new vscode.Range(start.line, start.character, end.line, end.character);
-    await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: !params.takeFocus, selection });
+    await showText(uri, selection, !params.takeFocus);
     return { success: true };
   }
   if (!/\.(png|jpe?g|gif|webp|bmp)$/i.test(uri.path)) return next(params);
@@ -49,8 +54,10 @@ async function showDocument(params, next) {
   return { success: true };
 }
 
-const middleware = {
-  window: { showDocument },
+const middleware = (client) => ({
+  window: {
+    showDocument: (params, next) => showDocument(params, next, client.protocol2CodeConverter.asUri(params.uri)),
+  },
   handleDiagnostics: (uri, diagnostics, next) => next(uri, diagnostics.map(withPage)),
   workspace: {
     configuration: async (params, token, next) => {
@@ -59,33 +66,28 @@ const middleware = {
     },
     didChangeConfiguration: async (_sections, _next) => {},
   },
-};
+});
 
-/** A client that restarts a server that crashes, but not one that never worked. */
-class Client extends LanguageClient {
+/** A client that restarts a server that crashes, but not one that never worked. `Base` is a client of the library, made
+ * from what `connection` has. */
+const clientOf = (Base) => class extends Base {
   #hasStarted = false;
   #subscription;
   #fail;
 
-  /**
-   * @param {string} program the absolute path of sdlc
-   * @param {string | undefined} folder the working folder of the server
-   * @param {vscode.LogOutputChannel} log
-   */
-  constructor(program, folder, log) {
-    const args = settings().sandbox ? ['lsp', '--sandbox'] : ['lsp'];
-    super('sdlc', 'sdlc', { command: program, args, options: { cwd: folder } }, {
+  constructor(connection, options) {
+    super('sdlc', 'sdlc', ...connection, {
       documentSelector: selector(),
       initializationOptions: settings(),
-      middleware,
-      outputChannel: log,
       revealOutputChannelOn: RevealOutputChannelOn.Never,
       initializationFailedHandler: () => false,
       errorHandler: {
         error: (...args) => this.#failed(...args),
         closed: () => this.#closed(),
       },
+      ...options,
     });
+    this.clientOptions.middleware = middleware(this);
     this.usualHandler = this.createDefaultErrorHandler();
     this.#subscription = vscode.workspace.onDidChangeConfiguration((change) => {
       if (!change.affectsConfiguration('sdlc') || !this.isRunning()) return;
@@ -114,7 +116,7 @@ class Client extends LanguageClient {
     try {
       await Promise.race([super.start(), failure]);
     } catch (error) {
-      throw new Error(`\`sdlc lsp\` does not start, see the log (${error.message}).`);
+      throw new Error(`The language server does not start, see the log (${error.message}).`);
     }
     this.#hasStarted = true;
   }
@@ -123,6 +125,6 @@ class Client extends LanguageClient {
     this.#subscription.dispose();
     if (this.#hasStarted) await super.dispose(timeout);
   }
-}
+};
 
-module.exports = { Client };
+module.exports = { clientOf, settings, showText };

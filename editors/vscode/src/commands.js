@@ -2,7 +2,6 @@
 // language client under their own names; these find out what they are applied to.
 'use strict';
 
-const path = require('node:path');
 const vscode = require('vscode');
 const { selector } = require('./selector');
 
@@ -17,17 +16,6 @@ function activeDocument(uri) {
   throw new Refusal('Open a scene first.');
 }
 
-/** Calls a command of the server about a document. */
-async function ask(server, command, document) {
-  return server.ask(command, { uri: document.uri.toString() });
-}
-
-async function render(server, uri) {
-  const document = activeDocument(uri);
-  if (document.isUntitled) throw new Refusal('Save the scene first: its picture is named after it.');
-  await ask(server, 'sdlc.render', document);
-}
-
 /** Shows the scene beside the editor, as it is there. */
 async function preview(previews, uri) {
   const document = activeDocument(uri);
@@ -36,22 +24,6 @@ async function preview(previews, uri) {
   if (vscode.languages.match(selector(), document) > 0) return;
   vscode.window.showInformationMessage(
     'The preview shows this file as it is saved. It follows what you type if the setting sdlc.configs names it.');
-}
-
-/** Measures in a terminal of its own, whose output remains when the program ends. */
-async function measure(server, uri) {
-  const document = activeDocument(uri);
-  if (document.isUntitled || !(await document.save())) throw new Refusal('Save the scene first.');
-  if (!server.program) throw new Refusal('sdlc is missing, see its log.');
-  const file = document.uri.fsPath;
-  const folder = vscode.workspace.getWorkspaceFolder(document.uri);
-  const cwd = folder?.uri.fsPath ?? path.dirname(file);
-  const flags = vscode.workspace.isTrusted ? [] : ['--sandbox'];
-  const execution = new vscode.ProcessExecution(server.program, ['measure', file, ...flags], { cwd });
-  const name = `measure ${path.basename(file)}`;
-  const task = new vscode.Task({ type: 'process' }, folder ?? vscode.TaskScope.Workspace, name, 'sdlc', execution);
-  task.presentationOptions = { reveal: vscode.TaskRevealKind.Always, clear: true };
-  await vscode.tasks.executeTask(task);
 }
 
 /** The codes of the findings of the active file, those of the cursor's line first. */
@@ -83,18 +55,17 @@ async function explain(pages, code) {
   if (chosen) await pages.show(chosen);
 }
 
-/** Registers the commands; each shows the reason when it fails. */
-function registerCommands(server, pages, previews) {
+/** Registers the commands; each shows the reason when it fails. `more`: those about a document, by their names. */
+function registerCommands(server, pages, previews, more) {
   const commands = {
-    'sdlc.renderScene': (uri) => render(server, uri),
     'sdlc.previewScene': (uri) => preview(previews, uri),
-    'sdlc.measureScene': (uri) => measure(server, uri),
     'sdlc.explainCode': (code) => explain(pages, code),
-    'sdlc.checkFileIn': (uri) => ask(server, 'sdlc.chooseScene', activeDocument(uri)),
-    'sdlc.fixAllInFile': (uri) => ask(server, 'sdlc.fixAll', activeDocument(uri)),
+    'sdlc.checkFileIn': (uri) => server.ask('sdlc.chooseScene', activeDocument(uri).uri),
+    'sdlc.fixAllInFile': (uri) => server.ask('sdlc.fixAll', activeDocument(uri).uri),
     'sdlc.restartServer': () => server.restart(),
     'sdlc.showLog': () => server.log.show(),
   };
+  for (const [name, command] of Object.entries(more)) commands[name] = (uri) => command(activeDocument(uri));
   return Object.entries(commands).map(([name, command]) =>
     vscode.commands.registerCommand(name, async (...args) => {
       try {
@@ -107,4 +78,4 @@ function registerCommands(server, pages, previews) {
   );
 }
 
-module.exports = { registerCommands };
+module.exports = { Refusal, registerCommands };

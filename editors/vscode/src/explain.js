@@ -2,35 +2,28 @@
 'use strict';
 
 const vscode = require('vscode');
-const { run } = require('./program');
 
 /** The scheme of the pages: `sdlc-explain:/E104.md`. */
 const SCHEME = 'sdlc-explain';
-
-const NO_SERVER = 'sdlc is missing, see its log';
 
 /** The page without links to files of the repository; those to other pages remain. */
 function withoutFileLinks(page) {
   return page.replace(/\[([^\]]+)\]\((?!https?:|[EWS]\d{3}\.md)[^)]*\)/g, '$1');
 }
 
-/** A content provider. The pages come from the program, one call for all of them, once per program. */
+/** A content provider. `server.explanations()` is the output of `sdlc explain --format json`. */
 class ExplainPages {
   constructor(server) {
     this.server = server;
-    this.program = undefined;
+    this.text = undefined;
     this.pages = undefined;
   }
 
   /** Code → { code, name, severity, page }. */
   async all() {
-    const { program } = this.server;
-    if (!program) throw new Error(NO_SERVER);
-    if (this.program !== program) {
-      const pages = JSON.parse(await run(program, ['explain', '--format', 'json']));
-      this.pages = new Map(pages.map((page) => [page.code, page]));
-      this.program = program;
-    }
+    const text = await this.server.explanations();
+    if (this.text !== text) this.pages = new Map(JSON.parse(text).map((page) => [page.code, page]));
+    this.text = text;
     return this.pages;
   }
 

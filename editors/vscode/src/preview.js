@@ -2,26 +2,24 @@
 // statement at the cursor makes.
 'use strict';
 
-const { randomBytes } = require('node:crypto');
-const path = require('node:path');
 const vscode = require('vscode');
 const { selector } = require('./selector');
 
 const VIEW_TYPE = 'sdlc.preview';
 
+const makeNonce = () => [...crypto.getRandomValues(new Uint8Array(16))].map((byte) => byte.toString(16)).join('');
+const literal = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
+
 /**
- * The page of the server, in a frame: it has its own protection. It takes the colours of the editor, not of the
- * system, and passes the keys of the editor on. The editor opens it again after a restart, by its `scene`.
+ * The page in a frame: it takes the colours of the editor, not of the system. The editor opens it again after a
+ * restart, by its `scene`. `attributes` are those of the frame; `onMessage` is the text of what takes its messages.
  */
-function frame(url, scene) {
-  const origin = `${url.scheme}://${url.authority}`;
-  const nonce = randomBytes(16).toString('hex');
-  const policy = `default-src 'none'; frame-src ${origin}; script-src 'nonce-${nonce}'; style-src 'unsafe-inline'`;
-  const literal = (value) => JSON.stringify(value).replaceAll('<', '\\u003c');
+function frame({ scene, attributes, policy, nonce, onMessage }) {
+  const common = `default-src 'none'; script-src 'nonce-${nonce}'; style-src 'unsafe-inline'`;
   return `<!doctype html>
 <html lang="en">
 <head>
-<meta http-equiv="Content-Security-Policy" content="${policy}">
+<meta http-equiv="Content-Security-Policy" content="${common}; ${policy}">
 <style>
 html, body, iframe { width: 100%; height: 100%; margin: 0; padding: 0; border: 0; display: block; }
 .vscode-dark iframe, .vscode-high-contrast iframe { color-scheme: dark; }
@@ -29,119 +27,90 @@ html, body, iframe { width: 100%; height: 100%; margin: 0; padding: 0; border: 0
 </style>
 </head>
 <body>
-<iframe src="${url.toString(true)}" title="The rendered scene" allow="clipboard-write"></iframe>
+<iframe ${attributes} title="The rendered scene" allow="clipboard-write"></iframe>
 <script nonce="${nonce}">
-acquireVsCodeApi().setState({ scene: ${literal(scene)} });
-addEventListener('message', ({ origin, data }) => {
-  if (origin === ${literal(origin)}) dispatchEvent(new KeyboardEvent('keydown', data));
-});
+const editor = acquireVsCodeApi();
+editor.setState({ scene: ${literal(scene)} });
+const passKey = (key) => dispatchEvent(new KeyboardEvent('keydown', key));
+addEventListener('message', ${onMessage});
 </script>
 </body>
 </html>`;
 }
 
-/** Where the window of the editor reaches a page of its server, whose port may be forwarded. */
-async function externalUri(local) {
-  const external = await vscode.env.asExternalUri(local);
-  // A proxy puts the port into the path, and may leave out ours.
-  if (external.path.endsWith(local.path)) return external;
-  return external.with({ path: external.path.replace(/\/$/, '') + local.path });
-}
-
-/** The panels that show scenes. */
+/** The panels that show scenes. A subclass has
+ * - `locate(uri)`: the `scene` of a document, its URI as text, and what else `show()` uses;
+ * - `show(shown, located)`: fills a panel; `revive()`: fills those that the editor has opened again;
+ * - `move(document, position)`: the cursor is there; `hasEnded(shown)`: the panel is closed. */
 class Previews {
-  #server;
-  #shown = new Map(); // by the URI of the scene: { panel, url }
+  shown = new Map(); // by the URI of the scene: { scene, panel }
 
   constructor(server) {
-    this.#server = server;
-    server.onDidRun(() => this.#refresh());
+    this.server = server;
   }
 
   /** Shows the scene of a document, which may be the one that includes it. */
   async open(uri) {
-    const { url, scene } = await this.#server.ask('sdlc.preview', { uri: uri.toString() });
-    const known = this.#shown.get(scene)?.panel;
+    const located = await this.locate(uri);
+    const { scene } = located;
+    const known = this.shown.get(scene)?.panel;
     if (known) known.reveal(undefined, true);
     const column = { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true };
-    const panel = known ?? vscode.window.createWebviewPanel(VIEW_TYPE, '', column);
+    const panel = known ?? vscode.window.createWebviewPanel(VIEW_TYPE, '', column, this.options);
     if (!known) this.#take(panel, scene);
-    await this.#show(panel, scene, url);
+    await this.showHere(this.shown.get(scene), located);
+  }
+
+  /** Shows what it finds, with the place of the cursor. */
+  async showHere(shown, located) {
+    await this.show(shown, located);
+    const editor = vscode.window.activeTextEditor;
+    if (editor) this.follow({ textEditor: editor, selections: editor.selections });
   }
 
   /** Takes a panel over that the editor had before it was restarted. */
   async deserializeWebviewPanel(panel, state) {
     if (!state?.scene) return panel.dispose();
     this.#take(panel, state.scene);
-    if (this.#server.client?.isRunning()) await this.#refresh();
-    else if (!this.#server.isNeeded) await this.#server.restart();
+    await this.revive(this.shown.get(state.scene));
   }
 
   /** The scene has another name now; of a folder, the panel says that the file is gone. */
   async rename({ files }) {
     for (const { oldUri, newUri } of files) {
-      const shown = this.#shown.get(oldUri.toString());
+      const shown = this.shown.get(oldUri.toString());
       if (!shown) continue;
       shown.panel.dispose();
       try {
         await this.open(newUri);
       } catch (error) {
-        this.#server.log.error(`preview of ${newUri}: ${error.message}`);
+        this.server.log.error(`preview of ${newUri}: ${error.message}`);
       }
     }
   }
 
-  /** Sends the place of the cursor to the server. */
+  /** Sends the place of the cursor. */
   follow({ textEditor, selections }) {
     const { document } = textEditor;
-    const { client } = this.#server;
-    if (this.#shown.size === 0 || !client?.isRunning()) return;
+    if (this.shown.size === 0) return;
     // Also a config that a scene includes.
     if (vscode.languages.match(selector(), document) === 0 && document.languageId !== 'json') return;
-    const { line, character } = selections[0].active;
-    client.sendNotification('sdlc/cursor', {
-      textDocument: { uri: document.uri.toString() },
-      position: { line, character },
-    });
-  }
-
-  /** The pages of a new server have other addresses. */
-  async #refresh() {
-    for (const [scene, { panel }] of [...this.#shown]) {
-      try {
-        const { url } = await this.#server.ask('sdlc.preview', { uri: scene });
-        await this.#show(panel, scene, url);
-      } catch (error) {
-        this.#server.log.error(`preview of ${scene}: ${error.message}`);
-      }
-    }
+    this.move(document, selections[0].active);
   }
 
   /** A scene has one panel: the newest. */
   #take(panel, scene) {
-    const older = this.#shown.get(scene)?.panel;
-    this.#shown.set(scene, { panel });
+    const older = this.shown.get(scene)?.panel;
+    const shown = { scene, panel };
+    this.shown.set(scene, shown);
     older?.dispose();
-    panel.title = `Preview ${path.basename(vscode.Uri.parse(scene).fsPath)}`;
+    panel.title = `Preview ${vscode.Uri.parse(scene).path.split('/').at(-1)}`;
     panel.webview.options = { enableScripts: true };
-    panel.onDidDispose(() => this.#end(panel, scene));
-  }
-
-  async #show(panel, scene, url) {
-    const external = await externalUri(vscode.Uri.parse(url, true));
-    const shown = this.#shown.get(scene);
-    if (shown?.panel !== panel) return; // it has been closed in the meantime
-    if (shown.url !== url) panel.webview.html = frame(external, scene);
-    shown.url = url;
-    const editor = vscode.window.activeTextEditor;
-    if (editor) this.follow({ textEditor: editor, selections: editor.selections });
-  }
-
-  async #end(panel, scene) {
-    if (this.#shown.get(scene)?.panel !== panel) return;
-    this.#shown.delete(scene);
-    if (this.#server.client?.isRunning()) await this.#server.ask('sdlc.endPreview', { uri: scene });
+    panel.onDidDispose(() => {
+      if (this.shown.get(scene) === shown) this.shown.delete(scene);
+      this.hasEnded(shown);
+    });
   }
 }
 
-module.exports = { Previews, VIEW_TYPE };
+module.exports = { Previews, VIEW_TYPE, frame, makeNonce };

@@ -19,7 +19,7 @@ class ConfigSchema {
 
   async provideTextDocumentContent() {
     if (this.server.isNeeded && !this.server.hasFailed) return '{}';
-    return Buffer.from(await vscode.workspace.fs.readFile(this.file)).toString('utf8');
+    return new TextDecoder().decode(await vscode.workspace.fs.readFile(this.file));
   }
 }
 

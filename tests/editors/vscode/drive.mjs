@@ -5,11 +5,13 @@ import { checks as commands } from './checks/commands.mjs';
 import { checks as names } from './checks/names.mjs';
 import { checks as reading } from './checks/reading.mjs';
 import { checks as trouble, untrusted } from './checks/trouble.mjs';
+import { checks as web, shared } from './checks/web.mjs';
 import { checks as writing } from './checks/writing.mjs';
 import { Workbench } from './workbench.mjs';
 
 const [home, ...chosen] = process.argv.slice(2);
 const vsix = join(home, 'sdlc-scene.vsix');
+const webVsix = join(home, 'sdlc-scene-web.vsix');
 const isChosen = ({ name }) => chosen.length === 0 || chosen.some((part) => name.includes(part));
 const counts = { passed: 0, failed: 0 };
 
@@ -75,5 +77,10 @@ function prepareUntrusted(folder, bin) {
 
 await session('trusted', [...writing, ...reading, ...names, ...commands, ...trouble]);
 await session('untrusted', untrusted, { isTrusting: false, prepare: prepareUntrusted });
+if (existsSync(webVsix)) {
+  const inBrowser = [...writing, ...reading, ...names, ...commands.filter(shared), ...web];
+  const settings = { 'files.autoSave': 'off' };
+  await session('web', inBrowser.map((check) => ({ ...check, name: `web: ${check.name}` })), { vsix: webVsix, settings });
+}
 console.log(`${counts.passed} passed, ${counts.failed} failed`);
 process.exitCode = counts.failed > 0 ? 1 : 0;

@@ -3,7 +3,9 @@
 #
 # Drives the packaged extension and the real server in a real VS Code; with names, only the checks whose names contain
 # one of them. README.md describes it. Environment: what setup.sh prints; SDLC, the program (default:
-# build/release/bin/sdlc); SDLC_SCREENS, the folder for screenshots (default: a new one, which is printed); CHROMIUM.
+# build/release/bin/sdlc); SDLC_WASM, the folder of the engine (default: build/wasm/sdlc-wasm; without it the extension
+# for browsers is not driven); SDLC_SCREENS, the folder for screenshots (default: a new one, which is printed);
+# CHROMIUM.
 set -euo pipefail
 unset CDPATH
 folder=$(cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd -P)
@@ -29,5 +31,14 @@ mkdir -p -- "$SDLC_SCREENS"
   cat "$home/package.log" >&2
   die "the extension cannot be packaged"
 }
+export SDLC_WASM=${SDLC_WASM:-$root/build/wasm/sdlc-wasm}
+if [[ -e $SDLC_WASM/sdlc.wasm ]]; then
+  "$root/editors/vscode/package.sh" --web "$home/sdlc-scene-web.vsix" >"$home/package.log" 2>&1 || {
+    cat "$home/package.log" >&2
+    die "the extension for browsers cannot be packaged"
+  }
+else
+  echo "there is no $SDLC_WASM/sdlc.wasm: the extension for browsers is not driven"
+fi
 echo "screenshots: $SDLC_SCREENS"
 node "$folder/drive.mjs" "$home" "$@"

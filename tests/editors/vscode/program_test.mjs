@@ -8,7 +8,7 @@ import { after, test } from 'node:test';
 
 const require = createRequire(import.meta.url);
 const { MINIMUM_VERSION, ProgramError, checkedVersion, findOnPath, findProgram, isAtLeast } =
-  require('../../../editors/vscode/src/program.js');
+  require('../../../editors/vscode/src/native/program.js');
 
 const home = mkdtempSync(join(tmpdir(), 'sdlc-program-'));
 after(() => rmSync(home, { recursive: true }));

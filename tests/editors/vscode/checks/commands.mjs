@@ -16,7 +16,7 @@ async function seePicture(bench) {
 }
 
 /** The frame of the preview, once it has a finished picture. */
-function seePreview(bench) {
+export function seePreview(bench) {
   return until('a preview', async () => {
     for (const frame of bench.page.frames()) {
       try {

@@ -45,7 +45,7 @@ export const checks = [
     name: 'a server that ends at once is reported',
     run: (bench) =>
       withPath(bench, bench.program('broken', 'if [ "$1" = --version ]; then echo "sdlc 9.9.9"; else exit 3; fi'),
-        () => bench.seeText('.notification-toast', '`sdlc lsp` does not start')),
+        () => bench.seeText('.notification-toast', 'The language server does not start')),
   },
   {
     name: 'without a server, the schema completes configs',

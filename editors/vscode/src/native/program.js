@@ -5,7 +5,7 @@ const { execFile } = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { sdlc: requirements } = require('../package.json');
+const { sdlc: requirements } = require('../../package.json');
 
 const MINIMUM_VERSION = requirements.minimumVersion;
 const VERSION_TIMEOUT_MS = 20_000;
