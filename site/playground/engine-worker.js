@@ -14,7 +14,7 @@ export class Engine {
     this.report = report;
   }
 
-  /** `module` is the compiled engine, so that a new worker starts at once; null: the worker loads what it needs. */
+  /** `module` is the compiled engine, so that a new worker starts at once; null: there is none. */
   start(module, threads) {
     this.#module = module;
     this.#threads = threads;
@@ -64,14 +64,11 @@ export class Engine {
     this.#worker?.postMessage(message);
   }
 
-  /** Ends the render. A worker that does not answer is replaced; `onReplaced` is called before. */
-  stop(onReplaced) {
+  /** Ends the render. `onSilence` is called if the worker does not answer. */
+  stop(onSilence) {
     this.post({ to: 'stop' });
     this.post({ to: 'ping', id: ++this.#lastPing });
     clearTimeout(this.#stopTimer);
-    this.#stopTimer = setTimeout(() => {
-      onReplaced();
-      this.restart();
-    }, kPatience);
+    this.#stopTimer = setTimeout(onSilence, kPatience);
   }
 }
