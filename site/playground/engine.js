@@ -1,6 +1,4 @@
 // The worker of the playground: the WebAssembly engine. README.md has the messages.
-import { createEngine, hasThreads } from './index.mjs';
-
 const kFolder = '/playground/'; // of the files, in the memory of the engine
 const kStep = 30; // ms between two looks at the messages
 
@@ -14,7 +12,8 @@ let isStopped = false; // the render of the preview, by the page
 let isStepping = false; // a step is to come
 const kept = new Map(); // what the page has said of itself and of the scene: a new preview has to know it
 
-const outOfFolder = (text) => JSON.parse(text.replaceAll(kFolder, ''));
+/** Names of files are relative; URIs stay. */
+const outOfFolder = (text) => JSON.parse(text.replaceAll(/(?<!file:\/\/)\/playground\//g, ''));
 const show = (message) => postMessage({ from: 'preview', message });
 
 /** Settings as the arguments of `sdlc render`: `--width=480`, `--error=5%`, `--denoise`. */
@@ -38,6 +37,19 @@ function startPreview() {
   step();
 }
 
+/** With as much memory as the device gives: phones refuse 2 GB. */
+async function make(module, threads) {
+  const { createEngine } = await import('./index.mjs');
+  for (const megabytes of [2048, 1024]) {
+    try {
+      return await createEngine({ module, threads, megabytes });
+    } catch (error) {
+      if (!(error instanceof RangeError)) throw error;
+    }
+  }
+  return createEngine({ module, threads, megabytes: 512 });
+}
+
 const turns = new MessageChannel(); // a timer would wait for 4 ms
 /** Goes on while there is work; between two steps the worker takes messages. */
 function step() {
@@ -59,15 +71,15 @@ function attempt(action) {
   try {
     return action();
   } catch (error) {
-    if (error.kind === 'parameter') throw error;
     postMessage({ from: 'failed', kind: error.kind === 'memory' ? 'memory' : 'defect', text: error.message });
   }
 }
 
 const handlers = {
-  async start({ threads }) {
+  async start({ module, threads }) {
     try {
-      engine = await createEngine({ threads: hasThreads() ? threads : 1 });
+      if (!module) throw new Error('this site has no engine');
+      engine = await make(module, threads);
       engine.enterFolder(kFolder);
     } catch (error) {
       return postMessage({ from: 'failed', kind: 'absent', text: error.message });
@@ -79,14 +91,15 @@ const handlers = {
   },
   files(message) {
     const changes = [];
+    // First: a file may become a folder.
+    for (const name of Object.keys(files).filter((each) => !Object.hasOwn(message.files, each))) {
+      engine.removeFile(kFolder + name);
+      changes.push({ uri: `file://${kFolder}${name}`, type: 3 });
+    }
     for (const [name, text] of Object.entries(message.files)) {
       if (files[name] === text) continue;
       engine.writeFile(kFolder + name, text);
-      changes.push({ uri: `file://${kFolder}${name}`, type: name in files ? 2 : 1 });
-    }
-    for (const name of Object.keys(files).filter((each) => !(each in message.files))) {
-      engine.removeFile(kFolder + name);
-      changes.push({ uri: `file://${kFolder}${name}`, type: 3 });
+      changes.push({ uri: `file://${kFolder}${name}`, type: Object.hasOwn(files, name) ? 2 : 1 });
     }
     files = message.files;
     if (changes.length > 0) {
@@ -125,7 +138,8 @@ const handlers = {
     show({ type: 'progress', share: 0, is_running: false });
   },
   lsp({ message }) {
-    for (const answer of engine.receive(JSON.stringify(message))) postMessage({ from: 'lsp', message: JSON.parse(answer) });
+    const answers = engine.receive(JSON.stringify(message)).map(outOfFolder);
+    for (const answer of answers) postMessage({ from: 'lsp', message: answer });
   },
   convert({ id, text }) {
     engine.writeFile('/dropped.json', text);
