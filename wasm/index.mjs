@@ -47,8 +47,8 @@ async function makeNodeGlobals() {
  * @param {object} [options]
  * @param {number} [options.threads] of renders, 1 to 64; more than 1 only where `hasThreads()`. Default: 1.
  * @param {number} [options.megabytes] of memory at most, 64 to 2048. Default: 2048.
- * @param {WebAssembly.Module} [options.module] `sdlc.wasm` or, for several threads, `sdlc-threads.wasm`, compiled.
- * Default: the file beside this one.
+ * @param {WebAssembly.Module} [options.module] the compiled `sdlc.wasm`, or `sdlc-threads.wasm` for several threads, so
+ *   that many engines take one compilation. Default: it is loaded.
  * @returns {Promise<Engine>} */
 export async function createEngine({ threads = 1, megabytes = 2048, module: compiled } = {}) {
   const isShared = threads > 1;
@@ -57,19 +57,18 @@ export async function createEngine({ threads = 1, megabytes = 2048, module: comp
   const name = isShared ? 'sdlc-threads' : 'sdlc';
   const pages = (count) => count * 16;
   const memory = new WebAssembly.Memory({ initial: pages(64), maximum: pages(megabytes), shared: isShared });
-  const [{ default: createModule }, binary] =
-    await Promise.all([import(`./${name}.mjs`), compiled ? {} : bytesOf(`${name}.wasm`)]);
-  const instantiateWasm = (imports, take) => {
-    WebAssembly.instantiate(compiled, imports).then((instance) => take(instance, compiled));
-    return {};
-  };
-  const module = await createModule({
-    ...(compiled ? { instantiateWasm } : { wasmBinary: binary }),
+  const [{ default: createModule }, wasmModule] =
+    await Promise.all([import(`./${name}.mjs`), compiled ?? bytesOf(`${name}.wasm`).then(WebAssembly.compile)]);
+  const module = await new Promise((resolve, reject) => createModule({
+    instantiateWasm(imports, receive) {
+      WebAssembly.instantiate(wasmModule, imports).then((instance) => receive(instance, wasmModule)).catch(reject);
+      return {};
+    },
     wasmMemory: memory,
     threads: threads - 1,  // beside the one that calls
     print() {},
     printErr() {},
-  });
+  }).then(resolve, reject));
   return new Engine(module, memory, threads);
 }
 

@@ -14,7 +14,7 @@ export class Engine {
     this.makeWorker = makeWorker;
   }
 
-  /** `options` are those of the message `start`. */
+  /** `options` are those of the message `start`; a new worker starts at once with the same compiled module. */
   start(options) {
     this.#options = options;
     this.restart();
@@ -69,14 +69,11 @@ export class Engine {
     this.#worker?.postMessage(message);
   }
 
-  /** Ends the render. A worker that does not answer is replaced; `onReplaced` is called before. */
-  stop(onReplaced) {
+  /** Ends the render. `onSilence` is called if the worker does not answer. */
+  stop(onSilence) {
     this.post({ to: 'stop' });
     this.post({ to: 'ping', id: ++this.#lastPing });
     clearTimeout(this.#stopTimer);
-    this.#stopTimer = setTimeout(() => {
-      onReplaced();
-      this.restart();
-    }, kPatience);
+    this.#stopTimer = setTimeout(onSilence, kPatience);
   }
 }

@@ -1,6 +1,4 @@
 // The worker of the playground and of the extension for VS Code: the WebAssembly engine. README.md has the messages.
-import { createEngine, hasThreads } from './index.mjs';
-
 const kStep = 30; // ms between two looks at the messages
 
 let folder; // of the files, in the memory of the engine
@@ -15,7 +13,8 @@ let hasWork = false; // the preview
 const requests = []; // to the language server
 const kept = new Map(); // what the page has said of itself and of the scene: a new preview has to know it
 
-const outOfFolder = (text) => JSON.parse(text.replaceAll(folder, ''));
+/** Names of files are relative; URIs stay. */
+const outOfFolder = (text) => JSON.parse(text.replaceAll(new RegExp(`(?<!file://)${folder}`, 'g'), ''));
 const show = (message) => postMessage({ from: 'preview', message });
 
 /** Settings as the arguments of `sdlc render`: `--width=480`, `--error=5%`, `--denoise`. */
@@ -42,6 +41,19 @@ function startPreview() {
 function stepPreview() {
   hasWork = hasPreview;
   takeTurn();
+}
+
+/** With as much memory as the device gives: phones refuse 2 GB. */
+async function make(module, threads) {
+  const { createEngine } = await import('./index.mjs');
+  for (const megabytes of [2048, 1024]) {
+    try {
+      return await createEngine({ module, threads, megabytes });
+    } catch (error) {
+      if (!(error instanceof RangeError)) throw error;
+    }
+  }
+  return createEngine({ module, threads, megabytes: 512 });
 }
 
 const turns = new MessageChannel(); // a timer would wait for 4 ms
@@ -98,16 +110,16 @@ function attempt(action) {
   try {
     return action();
   } catch (error) {
-    if (error.kind === 'parameter') throw error;
     postMessage({ from: 'failed', kind: error.kind === 'memory' ? 'memory' : 'defect', text: error.message });
   }
 }
 
 const handlers = {
-  async start({ threads = 1, module, folder: root = '/playground/' }) {
+  async start({ module, threads = 1, folder: root = '/playground/' }) {
     folder = root;
     try {
-      engine = await createEngine({ threads: hasThreads() ? threads : 1, module: module ?? undefined });
+      if (!module) throw new Error('this site has no engine');
+      engine = await make(module, threads);
       engine.enterFolder(folder);
     } catch (error) {
       return postMessage({ from: 'failed', kind: 'absent', text: error.message });
@@ -118,8 +130,9 @@ const handlers = {
     messages.forEach(take);
   },
   files(message) {
-    const gone = [...files.keys()].filter((name) => !(name in message.files));
-    const hasChanged = write({ ...message.files, ...Object.fromEntries(gone.map((name) => [name, null])) });
+    const gone = [...files.keys()].filter((name) => !Object.hasOwn(message.files, name));
+    // First: a file may become a folder.
+    const hasChanged = write({ ...Object.fromEntries(gone.map((name) => [name, null])), ...message.files });
     const isOther = main !== message.main;
     main = message.main;
     if (!message.render) return handlers.stop();

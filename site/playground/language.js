@@ -215,8 +215,9 @@ export class Language {
     this.client.connect(this.transport);
   }
 
+  /** Names of files in texts are relative. */
   receive(message) {
-    this.#receive(JSON.stringify(message));
+    this.#receive(JSON.stringify(message).replaceAll(/(?<!file:\/\/)\/playground\//g, ''));
   }
 
   extension(name) {

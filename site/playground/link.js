@@ -32,10 +32,13 @@ export async function fromFragment(text) {
 
 /** Names of files, with folders. */
 export const isName = (name) => /^\w[\w.-]*(\/\w[\w.-]*)*$/.test(name);
+/** Whether a file is a folder of another one. */
+export const areMixed = (names) => names.some((name) => names.some((other) => other.startsWith(`${name}/`)));
 
 /** {files: {name: text}, main: name, settings: {width, error}, choices: those of the picture's page} */
 export const isProject = (value) =>
   Object.entries(value?.files ?? {}).every(([name, text]) => isName(name) && typeof text === 'string') &&
+  !areMixed(Object.keys(value?.files ?? {})) &&
   Object.hasOwn(value?.files ?? {}, value.main) &&
   typeof (value.settings ?? {}) === 'object' &&
   typeof (value.choices ?? {}) === 'object';

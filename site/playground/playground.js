@@ -8,12 +8,13 @@ import { EditorState, Prec } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { Engine } from './engine-worker.js';
 import { Language, isScene, sceneLanguage } from './language.js';
-import { fromFragment, isName, isProject, kMaxLink, toFragment } from './link.js';
+import { areMixed, fromFragment, isName, isProject, kMaxLink, toFragment } from './link.js';
 
 const $ = (id) => document.getElementById(id);
 const kStored = 'sdlc-playground'; // the project
 const kBefore = 'sdlc-playground-before'; // that which it has replaced
 const kDefaults = { width: 480, error: 5 };
+const kMaxFile = 5_000_000; // bytes; browsers keep about as much
 
 /** Calls `action` once, `ms` after the last call. */
 function later(ms, action) {
@@ -116,11 +117,10 @@ function load(next) {
   current = undefined;
   for (const [name, text] of Object.entries(next.files)) states.set(name, stateOf(name, text));
   main = next.main;
-  settings = { ...next.settings };
+  settings = cleaned(next.settings ?? {});
   const forgotten = Object.fromEntries(Object.keys(choices.params ?? {}).map((name) => [name, null]));
   choices = next.choices ?? {};
-  $('width').value = settings.width ?? '';
-  $('error').value = settings.error ?? '';
+  showSettings();
   language.client.workspace.reopen();
   show(main);
   sendProject({ params: { ...forgotten, ...choices.params }, camera: null, frame: null, pose: null, ...choices });
@@ -148,7 +148,7 @@ function store(key, value) {
     localStorage.setItem(key, JSON.stringify(value));
     return true;
   } catch {
-    return false; // the browser keeps nothing
+    return false; // there is no room, or the browser keeps nothing
   }
 }
 function stored(key) {
@@ -160,24 +160,28 @@ function stored(key) {
   }
 }
 
-/** Puts the project into the browser's storage and the address. Returns the address, or null if it is too long. */
-let lastKeep = 0;
+let keeping; // the promise of the last keep()
 let fragment = ''; // the last one that was put into the address
 let isDirty = false; // whether anything has changed since it was stored
+let hasWarned = false; // that the text is lost when the page is left
 function storeNow() {
   isDirty = false;
   return store(kStored, { ...snapshot(), fragment });
 }
-async function keep() {
-  const now = snapshot();
-  const number = ++lastKeep;
-  const made = await toFragment(now);
-  if (number !== lastKeep) return keep();
-  const isTooLong = made.length > kMaxLink;
-  fragment = isTooLong ? '' : made;
-  storeNow();
-  history.replaceState(null, '', isTooLong ? location.pathname + location.search : `#${fragment}`);
-  return isTooLong ? null : location.href;
+/** Puts the project into the browser's storage and the address. Returns the address, or null if it is too long. */
+function keep() {
+  const mine = toFragment(snapshot()).then((made) => {
+    if (mine !== keeping) return keeping; // it has a later text
+    const isTooLong = made.length > kMaxLink;
+    fragment = isTooLong ? '' : made;
+    const isLost = !storeNow() && isTooLong;
+    if (isLost && !hasWarned) notify('This browser does not keep the text, which is too long for a link: copy it.');
+    hasWarned = isLost;
+    history.replaceState(null, '', isTooLong ? location.pathname : `#${fragment}`);
+    return isTooLong ? null : location.href;
+  });
+  keeping = mine;
+  return mine;
 }
 const keepLater = later(400, keep);
 function keepSoon() {
@@ -214,6 +218,7 @@ let picture; // a port to the picture's page
 const pageState = {}; // its last messages `view` and `visible`, for a new worker
 let isStopped = false; // by the user or after a failure, until the next change
 let isReady = false;
+let hasEnded = false; // the engine has, because it failed without a picture, too
 const work = { isAwaited: false, isRunning: false };
 
 const settingsArguments = () => [
@@ -221,7 +226,17 @@ const settingsArguments = () => [
   ...(settings.error ? [`--error=${settings.error}%`] : []),
 ];
 
+/** What is valid of settings. */
+function cleaned({ width, error }) {
+  const { min, max } = $('width');
+  return {
+    width: width > 0 ? Math.round(Math.min(Math.max(width, min), max)) : undefined,
+    error: error > 0 ? Math.min(error, $('error').max) : undefined,
+  };
+}
+
 function sendFiles() {
+  if (hasEnded) return restartEngine();
   const { files } = snapshot();
   setWork({ isAwaited: isReady && !isStopped });
   engine.post({ to: 'files', files, main, render: !isStopped });
@@ -245,6 +260,19 @@ function hasChanged() {
   keepSoon();
 }
 
+/** It gets the project when it is ready. */
+function restartEngine() {
+  isReady = hasEnded = false;
+  setWork({ isAwaited: false, isRunning: false });
+  engine.restart();
+}
+
+/** After a change of what is rendered. */
+function renderAgain() {
+  isStopped = false;
+  sendFiles();
+}
+
 function setWork(change) {
   Object.assign(work, change);
   const isBusy = work.isAwaited || work.isRunning;
@@ -258,8 +286,8 @@ function stopOrRender() {
   setWork({ isAwaited: false, isRunning: false });
   announce('Stopped');
   engine.stop(() => {
-    isReady = false;
     notify('The engine did not answer, and has been started again.');
+    restartEngine();
   });
 }
 
@@ -284,15 +312,20 @@ function takeMessage(message) {
 
 function takeFailure({ kind, text }) {
   setWork({ isAwaited: false, isRunning: false });
+  for (const take of conversions.values()) take({ failure: text });
+  conversions.clear();
   if (kind === 'absent') return notify(`There are no pictures and no checks here: ${text}.`);
-  const wasReady = isReady;
-  isReady = false;
-  if (!wasReady) return notify(`The engine does not start: ${text}`, ['Try again', () => engine.restart()]);
-  isStopped = true; // the same scene would fail again
+  if (!isReady) return notify(`The engine does not start: ${text}`, ['Try again', restartEngine]);
   const what = kind === 'memory' ? 'The memory of the browser is too small for this scene' : `The engine failed (${text})`;
+  if (isStopped) {
+    // It was not the picture.
+    isReady = false;
+    hasEnded = true;
+    return notify(`${what}, also without a picture. The text is kept. It is started again with the next change.`);
+  }
+  isStopped = true; // the same scene would fail again
   notify(`${what}. It has been started again; the text is kept. The next change is rendered.`);
-  engine.restart();
-  setWork({});
+  restartEngine();
 }
 
 let finished; // the last picture that has been announced
@@ -324,6 +357,7 @@ function takeFromPicture(message) {
     const known = (object) => Object.fromEntries(Object.entries(object).filter(([, value]) => value !== null));
     choices = known({ ...choices, ...others, params: known({ ...choices.params, ...params }) });
     keepSoon();
+    if (isStopped) renderAgain();
   }
   engine.post({ to: 'preview', message });
 }
@@ -481,6 +515,8 @@ $('file-dialog').addEventListener('submit', (event) => {
   let fault = '';
   if (!isName(name)) fault = 'A name has letters, digits and the characters - _ . and / between folders.';
   else if (states.has(name) && (isNewFile || name !== current)) fault = 'There is such a file.';
+  else if (areMixed([name, ...project.names().filter((each) => isNewFile || each !== current)]))
+    fault = 'A file and a folder cannot have the same name.';
   else if (!isScene(name) && ($('file-is-main').checked || (!isNewFile && current === main))) fault = 'Only a file .scene can be rendered.';
   $('file-fault').textContent = fault;
   if (fault) return event.preventDefault();
@@ -508,6 +544,7 @@ const convert = (text) =>
 
 /** A JSON config becomes a scene; other files are added, or replace those of the same name. */
 async function takeFile(file) {
+  if (file.size > kMaxFile) return notify(`${file.name} is too large for this page, which takes 5 MB.`);
   const text = await file.text();
   const name = file.name.replace(/[^\w.-]/g, '-');
   if (!isName(name)) return notify(`${file.name}: a file needs a name that begins with a letter.`);
@@ -519,6 +556,7 @@ async function takeFile(file) {
     return replace({ files: { [scene]: answer.text }, main: scene, settings }, `${file.name} is a scene now.`);
   }
   const files = { ...snapshot().files, [name]: text };
+  if (areMixed(Object.keys(files))) return notify(`${name} is the name of a folder here.`);
   replace({ ...snapshot(), files }, `${name} is added.`);
   show(name);
 }
@@ -554,12 +592,16 @@ function showSide(side) {
   for (const each of ['text', 'picture']) $(`show-${each}`).setAttribute('aria-pressed', String(each === side));
 }
 
+function showSettings() {
+  $('width').value = settings.width ?? '';
+  $('error').value = settings.error ?? '';
+}
+
 function takeSettings() {
-  const number = (id) => ($(id).value > 0 ? Number($(id).value) : undefined);
-  settings = { width: number('width'), error: number('error') };
-  isStopped = false;
-  setWork({ isAwaited: isReady });
+  settings = cleaned({ width: Number($('width').value), error: Number($('error').value) });
+  showSettings();
   engine.post({ to: 'settings', arguments: settingsArguments() });
+  renderAgain();
   keepSoon();
 }
 
@@ -626,22 +668,32 @@ async function startServiceWorker() {
   const hasFailed = register().then(() => new Promise(() => {}), () => true);
   const serves = new Promise((resolve) => workers.addEventListener('controllerchange', () => resolve(false), { once: true }));
   if (!workers.controller && (await Promise.race([hasFailed, serves]))) return;
-  // Once: a browser may not let it.
-  if (!crossOriginIsolated && !sessionStorage.getItem('sdlc-isolating')) {
-    sessionStorage.setItem('sdlc-isolating', '1');
-    // Browsers may bring back this page from their cache of pages.
-    addEventListener('pageshow', ({ persisted }) => persisted && location.reload());
-    location.reload();
+  // Once, because a browser may not let it, and not while somebody writes. A reload would leave this page in the
+  // browser's cache, where "back" would find it.
+  const query = new URLSearchParams(location.search);
+  if (!crossOriginIsolated && !query.has('again') && !view) {
+    query.set('again', '');
+    location.replace(`?${query}${location.hash}`);
     await new Promise(() => {});
   }
-  sessionStorage.removeItem('sdlc-isolating');
 }
 
 async function startEngine() {
   const threads = crossOriginIsolated ? Math.min(16, navigator.hardwareConcurrency || 1) : 1;
   const name = document.body.dataset.engine.split(' ')[threads > 1 ? 1 : 0];
-  const module = name ? await WebAssembly.compileStreaming(fetch(name)).catch(() => null) : null;
-  engine.start({ module, threads });
+  try {
+    engine.start({ module: name ? await compile(name) : null, threads });
+  } catch (error) {
+    notify(`The engine cannot be loaded: ${error.message}`, ['Try again', startEngine]);
+  }
+}
+
+async function compile(name) {
+  const response = await fetch(name);
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+  // Not all servers know the type.
+  const isTyped = response.headers.get('content-type')?.startsWith('application/wasm');
+  return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 async function openLink() {
@@ -657,7 +709,8 @@ async function openLink() {
 async function start() {
   // Before any text is shown, because the page may be loaded once more. A slow network is not waited for.
   if (location.protocol !== 'file:') {
-    await Promise.race([startServiceWorker(), new Promise((resolve) => setTimeout(resolve, 5000))]);
+    const isStarted = startServiceWorker().catch(() => {}); // the browser may refuse all that keeps something
+    await Promise.race([isStarted, new Promise((resolve) => setTimeout(resolve, 5000))]);
   }
   view = new EditorView({ parent: $('editor') });
   const own = stored(kStored);
@@ -667,8 +720,8 @@ async function start() {
   const linked = location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
   const example = new URLSearchParams(location.search).get('example');
+  if (location.search) history.replaceState(null, '', location.pathname + location.hash);
   if (example) {
-    history.replaceState(null, '', location.pathname);
     const option = [...$('example').options].find(({ text }) => text === example);
     if (option) await openExample(option.value);
   } else if (own && linked) replace(linked, 'This text is from the link. What this browser had kept is not lost.');

@@ -5,7 +5,8 @@ const kCache = `sdlc-playground-${VERSION}`;
 const scope = new URL('./', location);
 
 self.addEventListener('install', (event) => {
-  event.waitUntil(caches.open(kCache).then((cache) => cache.addAll(FILES.map((name) => new Request(name, { cache: 'reload' })))));
+  const requests = FILES.map((name) => new Request(name, { cache: 'no-cache' })); // as new as the server's
+  event.waitUntil(caches.open(kCache).then((cache) => cache.addAll(requests)));
 });
 
 self.addEventListener('activate', (event) => {
@@ -22,14 +23,16 @@ self.addEventListener('message', ({ data }) => {
   if (data === 'replace') self.skipWaiting();
 });
 
-async function answer(request) {
+/** `event` is kept alive until the answer is kept. A browser that keeps nothing only loads. */
+async function answer(event) {
+  const { request } = event;
   const cache = await caches.open(kCache);
   const url = request.url === scope.href ? new URL('index.html', scope) : request;
   let response = await cache.match(url, { ignoreSearch: true });
   if (!response) {
     response = await fetch(request);
     const isOurs = request.method === 'GET' && request.url.startsWith(scope);
-    if (isOurs && response.status === 200) await cache.put(url, response.clone());
+    if (isOurs && response.status === 200) event.waitUntil(cache.put(url, response.clone()).catch(() => {}));
   }
   if (response.type === 'opaque' || response.type === 'error') return response;
   const headers = new Headers(response.headers);
@@ -40,5 +43,5 @@ async function answer(request) {
 }
 
 self.addEventListener('fetch', (event) => {
-  if (new URL(event.request.url).origin === location.origin) event.respondWith(answer(event.request));
+  if (new URL(event.request.url).origin === location.origin) event.respondWith(answer(event));
 });

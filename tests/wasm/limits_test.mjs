@@ -5,9 +5,9 @@ import { test } from 'node:test';
 import { createEngine, EngineError, inFolder, native, read, writeBoth } from './support.mjs';
 
 const hostile = {
-  'endless.scene': 'scene 1\nlet n = sum([for i in range(1000000000) { i }])\nsphere a { center: (n, 0, 0), radius: 1 }\n',
+  'endless.scene': 'scene 1\nfor i in range(1000000000) { if i < 0 { sphere { center: (i, 0, 0), radius: 1 } } }\n',
   'forever.scene': 'scene 1\nfn f(x) = f(x + 1)\nlet n = f(0)\nsphere a { center: (n, 0, 0), radius: 1 }\n',
-  'memory.scene': 'scene 1\nlet a = [for i in range(100000000) { [i, i, i, i] }]\nsphere b { center: (len(a), 0, 0), radius: 1 }\n',
+  'memory.scene': 'scene 1\nlet a = [[i, i, i] for i in range(1e8)]\nsphere b { center: (len(a), 0, 0), radius: 1 }\n',
   'nested.scene': `scene 1\nlet n = ${'('.repeat(200)}1${')'.repeat(200)}\n`,
   'deep.scene': `scene 1\nlet n = ${'('.repeat(127)}1${')'.repeat(127)}\nsphere a { center: (n, 0, 0), radius: 1 }\n`,
   'deep.json': `${'['.repeat(100000)}`,
@@ -36,6 +36,16 @@ test('a step returns after about its time, and another text can follow', async (
   assert.ok(findings.errors > 0);
   assert.equal(width, undefined);
   assert.throws(() => engine.stepRender(50), { kind: 'parameter' });
+});
+
+test('failures with several threads are reported, and the engine goes on', async () => {
+  const engine = await createEngine({ threads: 2 });
+  assert.throws(() => engine.lint('none.scene'), { kind: 'parameter' });
+  engine.writeFile('a.scene', read('examples/demo.scene'));
+  engine.startRender('a.scene', { render: { width: 8000, height: 8000, samples: 64 } });
+  assert.throws(() => engine.stepRender(10), { kind: 'memory' });
+  assert.equal(engine.lint('a.scene').errors, 0);
+  engine.close();
 });
 
 test('without memory a call fails, and another engine works', async () => {
