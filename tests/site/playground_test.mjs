@@ -1,5 +1,6 @@
-// The playground of the site in browsers. usage: node --test playground_test.mjs, with SDLC, SDLC_SITE (the folder that
-// `./dev site` makes), SDLC_NODE_MODULES, and CHROMIUM or FIREFOX or both.
+// The playground of the site in browsers, with the program in place of its engine, and with its engine if the site has
+// one. usage: node --test playground_test.mjs, with SDLC, SDLC_SITE (the folder that `./dev site` makes),
+// SDLC_NODE_MODULES, and CHROMIUM or FIREFOX or both.
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -8,6 +9,7 @@ import { availableParallelism, loadavg } from 'node:os';
 import { extname, join } from 'node:path';
 import { after, before, describe, test as nodeTest } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import { standIn, startBridge } from './bridge.mjs';
 
 const require = createRequire(join(process.env.SDLC_NODE_MODULES, 'playground.cjs'));
@@ -17,7 +19,9 @@ const kPatience = 600_000;  // ms: a busy machine is slow
 const test = (name, run) => nodeTest(name, { timeout: Number(process.env.SDLC_PATIENCE ?? kPatience) }, run);
 const site = process.env.SDLC_SITE;
 const prefix = '/docs/sdlc/';
-const types = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml' };
+const types = { '.html': 'text/html; charset=utf-8', '.css': 'text/css', '.js': 'text/javascript',
+                '.mjs': 'text/javascript', '.svg': 'image/svg+xml', '.wasm': 'application/wasm' };
+const hasEngine = existsSync(join(site, 'playground/sdlc.wasm'));
 
 const ball = `scene 1
 
@@ -32,13 +36,19 @@ render { samples: 4096 }
 const project = (text, more = {}) =>
     ({ files: { 'main.scene': text }, main: 'main.scene', settings: { width: 120, error: 5 }, ...more });
 
-/** The site below a path, with the stand-in for the engine. The server sends no headers for threads. */
-async function serve(port) {
+/** Comments that hardly get shorter when they are packed. */
+const longLines = (count) =>
+    Array.from({ length: count }, (_, i) => `// ${(i * 2654435761 % 4294967296).toString(36)} ${i}, a line of a long text`);
+
+/** The site below a path, without the files of `missing`; with a bridge, its stand-in is the engine. The server sends no
+ * headers for threads. */
+async function serve(bridge, missing = []) {
   const server = createServer((request, response) => {
     const name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname).slice(prefix.length);
     const path = join(site, name);
-    if (!request.url.startsWith(prefix) || !existsSync(path) || statSync(path).isDirectory()) return response.writeHead(404).end();
-    const body = name === 'playground/engine.js' ? standIn(port) : readFileSync(path);
+    const isThere = request.url.startsWith(prefix) && existsSync(path) && !statSync(path).isDirectory();
+    if (!isThere || missing.includes(name)) return response.writeHead(404).end();
+    const body = bridge && name === 'playground/engine.js' ? standIn(bridge.port) : readFileSync(path);
     response.writeHead(200, { 'content-type': types[extname(name)] ?? 'text/plain' }).end(body);
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
@@ -47,28 +57,35 @@ async function serve(port) {
 
 const browsers = [['chrome', process.env.CHROMIUM, ['--no-sandbox', '--disable-gpu']], ['firefox', process.env.FIREFOX, []]];
 for (const [name, executablePath, args] of browsers) {
-  if (executablePath) describe(name, () => tests(name, executablePath, args));
+  if (!executablePath) continue;
+  describe(`${name}, program`, () => tests(name, executablePath, args, false));
+  if (hasEngine) describe(`${name}, engine`, () => tests(name, executablePath, args, true));
 }
 
-function tests(name, executablePath, args) {
+const addressOf = (server) => `http://127.0.0.1:${server.address().port}${prefix}playground/index.html`;
+
+/** `isReal`: with the engine. */
+function tests(name, executablePath, args, isReal) {
   let browser, bridge, server, url;
   before(async () => {
-    bridge = await startBridge(process.env.SDLC);
-    server = await serve(bridge.port);
-    url = `http://127.0.0.1:${server.address().port}${prefix}playground/index.html`;
+    bridge = isReal ? null : await startBridge(process.env.SDLC);
+    server = await serve(bridge);
+    url = addressOf(server);
     browser = await puppeteer.launch({ browser: name, executablePath, args, timeout: kPatience, protocolTimeout: kPatience });
   });
   after(async () => {
     await browser.close();
     server.close();
     server.closeAllConnections();
-    bridge.close();
+    bridge?.close();
   });
 
-  /** A page with a storage of its own. `faults` are errors of the page. */
-  async function open({ start, fragment = '', width = 1200, height = 900, address = url } = {}) {
-    const context = await browser.createBrowserContext();
+  /** A page with a storage of its own, or with that of `context`. `faults` are errors of the page; `prepare` is a
+   * function that runs in the page first. */
+  async function open({ start, fragment = '', width = 1200, height = 900, address = url, prepare, ...others } = {}) {
+    const context = others.context ?? await browser.createBrowserContext();
     const page = await context.newPage();
+    if (prepare) await page.evaluateOnNewDocument(prepare);
     page.setDefaultTimeout(kPatience);
     const faults = [];
     page.on('pageerror', (error) => faults.push(error.message));
@@ -84,12 +101,16 @@ function tests(name, executablePath, args) {
     };
     return { page, context, close };
   }
+  /** Between two looks. After the time of a test its browser is closed. */
+  async function pause() {
+    assert.ok(browser.connected);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
   /** The picture's page, as soon as its script runs. By way of its parent, because not all drivers show all frames. */
   async function pictureOf(page) {
     const evaluate = (code) => page.evaluate((text) => document.getElementById('picture').contentWindow.eval(text),
                                              typeof code === 'function' ? `(${code})()` : code);
-    while (!await evaluate('typeof takePicture === "function"').catch(() => false))
-      await new Promise((resolve) => setTimeout(resolve, 50));
+    while (!await evaluate('typeof takePicture === "function"').catch(() => false)) await pause();
     return { evaluate };
   }
   async function finishedPicture(page, isWanted = 'true') {
@@ -98,11 +119,14 @@ function tests(name, executablePath, args) {
       const isThere = await frame.evaluate(`Boolean(picture && scene && picture.header.is_finished &&
           picture.header.scene === scene.scene && (${isWanted}))`).catch(() => false);
       if (isThere) return frame;
-      await new Promise((resolve) => setTimeout(resolve, 50));
+      await pause();
     }
   }
   const codes = (frame) => frame.evaluate(
       '[...picture.image.getContext("2d").getImageData(0, 0, picture.image.width, picture.image.height).data].join()');
+  /** The modules that the page has loaded. */
+  const modules = (page) => page.evaluate(() => performance.getEntriesByType('resource')
+      .map(({ name: address }) => address.replace(/.*\//, '')).filter((file) => file.endsWith('.wasm')));
   const textOf = (page) => page.$$eval('.cm-line', (lines) => lines.map((line) => line.textContent).join('\n'));
   const problems = (page) => page.$eval('#problem-list', (list) => list.innerText);
   const title = (page, text) => page.waitForFunction(
@@ -121,6 +145,29 @@ function tests(name, executablePath, args) {
     }, part);
     await new Promise((resolve) => setTimeout(resolve, 100));  // the editor follows
   }
+
+  const press = async (page, key, ...held) => {
+    for (const each of held) await page.keyboard.down(each);
+    await page.keyboard.press(key);
+    for (const each of held) await page.keyboard.up(each);
+  };
+  /** Replaces the text by way of the clipboard. */
+  async function paste(page, text) {
+    await page.focus('.cm-content');
+    await press(page, 'a', 'Control');
+    await page.evaluate((pasted) => {
+      const event = new ClipboardEvent('paste', { bubbles: true, cancelable: true });
+      Object.defineProperty(event, 'clipboardData', { value: { getData: () => pasted } });
+      document.querySelector('.cm-content').dispatchEvent(event);
+    }, text);
+  }
+  const set = (page, id, value) => page.$eval(id, (field, text) => {
+    field.value = text;
+    field.dispatchEvent(new Event('change'));
+  }, value);
+  const label = (page, text) =>
+      page.waitForFunction((t) => document.getElementById('render').textContent === t, {}, text);
+  const status = (frame) => frame.evaluate("document.getElementById('status').textContent");
 
   test('a mistake is marked at its place within 100 ms, fixed by a click, and the picture reaches 5 %', async () => {
     const { page, close } = await open({ start: project(ball) });
@@ -280,7 +327,7 @@ function tests(name, executablePath, args) {
     await close();
   });
 
-  test('a worker that hangs or fails is replaced, and the text stays', async () => {
+  if (!isReal) test('a worker that hangs or fails is replaced, and the text stays', async () => {
     const { page, close } = await open({ start: project(ball.replace('4096', '16777216'), { settings: { width: 300 } }) });
     await page.waitForFunction("document.getElementById('render').textContent === 'Stop' && !document.getElementById('render').disabled");
     await page.click('#render');
@@ -292,13 +339,13 @@ function tests(name, executablePath, args) {
     await notice(page, 'did not answer');
     await page.waitForFunction("document.getElementById('render').textContent === 'Render'");
     const isRendered = () => bridge.received.findLast(({ to }) => to === 'files').render;
-    while (bridge.workers.size !== 1 || bridge.workers.has(worker)) await new Promise((resolve) => setTimeout(resolve, 50));
-    while (isRendered()) await new Promise((resolve) => setTimeout(resolve, 50));
+    while (bridge.workers.size !== 1 || bridge.workers.has(worker)) await pause();
+    while (isRendered()) await pause();
     [...bridge.workers][0].send({ from: 'failed', kind: 'memory', text: '' });
     await notice(page, 'memory');
     await goAfter(page, 'scene 1');
     await page.keyboard.type(' // kept');
-    while (!isRendered()) await new Promise((resolve) => setTimeout(resolve, 50));
+    while (!isRendered()) await pause();
     assert.match(await textOf(page), /^scene 1 \/\/ kept/);
     await page.reload();
     await page.waitForSelector('.cm-line');
@@ -375,11 +422,13 @@ function tests(name, executablePath, args) {
   });
 
   test('after the first load it works without a network, and with the headers for threads', async () => {
-    const other = await serve(bridge.port);
-    const address = url.replace(/:\d+/, `:${other.address().port}`);
-    const { page, close } = await open({ start: project(ball), address });
+    const other = await serve(bridge);
+    const { page, close } = await open({ start: project(ball), address: addressOf(other) });
+    await finishedPicture(page);
+    await page.reload(); // a slow network is not waited for at first
     await finishedPicture(page);
     assert.equal(await page.evaluate('crossOriginIsolated'), true);
+    if (isReal) assert.deepEqual(await modules(page), [availableParallelism() > 1 ? 'sdlc-threads.wasm' : 'sdlc.wasm']);
     other.close();
     other.closeAllConnections();
     await page.reload();
@@ -391,6 +440,253 @@ function tests(name, executablePath, args) {
     await notice(page, 'carousel.scene is open');
     await close();
   });
+
+  test('stop ends a render; a change of the settings or of a param starts one', async () => {
+    const endless = project(ball.replace('4096', '16777216'), { settings: { width: 300 } });
+    const { page, close } = await open({ start: endless });
+    await label(page, 'Stop');
+    await page.waitForFunction("!document.getElementById('render').disabled");
+    await page.click('#render');
+    await label(page, 'Render');
+    await set(page, '#width', '2.4');
+    assert.equal(await page.$eval('#width', (field) => field.value), '2');
+    await set(page, '#error', '5');
+    await finishedPicture(page, 'picture.header.full_width === 2');
+    await set(page, '#error', '-3');
+    await set(page, '#width', '100000');
+    assert.equal(await page.$eval('#width', (field) => field.value), '8192');
+    assert.equal(await page.$eval('#error', (field) => field.value), '');
+    await set(page, '#error', '5');
+    await set(page, '#width', '100');
+    await finishedPicture(page, 'picture.header.full_width === 100');
+    await set(page, '#error', '');
+    await page.waitForFunction("!document.getElementById('render').disabled");
+    await page.click('#render');
+    await label(page, 'Render');
+    const frame = await pictureOf(page);
+    await frame.evaluate("choose({params: {size: '0.9'}})");
+    await label(page, 'Stop');
+    while (await frame.evaluate('scene.params[0].value') !== '0.9') await pause();
+    await close();
+  });
+
+  test('params and frames are chosen while it renders', async () => {
+    const moving = ball.replace('/// How', 'animation { frames: 0 .. 15, fps: 8 }\n/// How')
+        .replace('(0, 0.5, 0), radius: size', '(time / 1s - 1, 0.5, 0), radius: size');
+    const { page, close } = await open({ start: project(moving, { settings: { width: 120, error: 3 } }) });
+    const frame = await finishedPicture(page);
+    assert.equal(await frame.evaluate("document.getElementById('frames').hidden"), false);
+    for (let i = 1; i <= 20; ++i) {
+      await frame.evaluate(`choose({params: {size: '${i / 20}'}, frame: ${i % 16}})`);
+      await new Promise((resolve) => setTimeout(resolve, 30));
+    }
+    await finishedPicture(page, "scene.params[0].value === '1' && scene.frame === 4");
+    await frame.evaluate('play()');
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    await frame.evaluate('play()');
+    await frame.evaluate('choose({frame: 2})');
+    await finishedPicture(page, "scene.frame === 2 && document.getElementById('frame-number').textContent === '2'");
+    await close();
+  });
+
+  test('imports in a cycle, a missing file and many errors are problems', async () => {
+    const files = { 'main.scene': 'scene 1\nimport "b.scene" as b\nimport "gone.scene" as g\n',
+                    'b.scene': 'scene 1\nimport "main.scene" as a\n' };
+    const { page, close } = await open({ start: { ...project(''), files } });
+    await title(page, '3 problems');
+    assert.match(await problems(page), /E310: `main.scene` depends on itself/);
+    assert.match(await problems(page), /E309: cannot read `gone.scene`/);
+    await page.click('#files li:nth-child(2) button');
+    await paste(page, 'scene 1\n');
+    await title(page, '1 problem');
+    await page.click('#files li:nth-child(1) button');
+    await paste(page, `scene 1\n${'sphere ball { radus: 1 }\n'.repeat(2000)}`);
+    await page.waitForFunction("parseInt(document.getElementById('problems-title').textContent) > 100");
+    await paste(page, ball);
+    await title(page, 'No problems');
+    await finishedPicture(page);
+    await close();
+  });
+
+  test('a text of a megabyte is kept, and said to be too long for a link', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    await finishedPicture(page);
+    const lines = longLines(30_000);
+    await paste(page, `${ball}${lines.join('\n')}\n`);
+    await page.click('#link');
+    await notice(page, 'The link would have');
+    await finishedPicture(page);
+    await page.reload();
+    await page.waitForSelector('.cm-line');
+    await finishedPicture(page);
+    assert.match(await textOf(page), /^scene 1/);
+    const length = await page.evaluate("JSON.parse(localStorage.getItem('sdlc-playground')).files['main.scene'].length");
+    assert.equal(length, ball.length + lines.join('\n').length + 1);
+    await close();
+  });
+
+  test('links that are made at the same time are made once', async () => {
+    const { page, close } = await open({ start: project(ball), prepare: () => {
+      globalThis.made = 0;
+      const Stream = CompressionStream;
+      globalThis.CompressionStream = class { constructor(...args) { ++made; return new Stream(...args); } };
+    } });
+    await finishedPicture(page);
+    await page.evaluate("for (let i = 0; i < 3; ++i) document.getElementById('link').click()");
+    await notice(page, 'link');
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    const made = await page.evaluate('made');
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    assert.equal(await page.evaluate('made'), made);
+    await close();
+  });
+
+  test('two tabs have their own texts, and neither is lost', async () => {
+    const first = await open({ start: project(ball) });
+    await title(first.page, 'No problems');
+    await first.page.waitForFunction('location.hash.length > 100');
+    const second = await open({ context: first.context });
+    await second.page.waitForSelector('.cm-line');
+    await paste(second.page, 'scene 1\n// second\n');
+    await second.page.waitForFunction("localStorage.getItem('sdlc-playground').includes('// second')");
+    await first.page.bringToFront();
+    await first.page.reload();
+    await notice(first.page, 'from the link');
+    assert.equal(await textOf(first.page), ball);
+    await first.page.click('#notice-action');
+    await first.page.waitForFunction("document.querySelector('.cm-content').textContent.includes('// second')");
+    await first.close();
+  });
+
+  test('back and forward go between links', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    await finishedPicture(page); // while a page is loaded, a fragment replaces the one before
+    await page.waitForFunction('location.hash.length > 100');
+    const link = await page.evaluate('location.hash');
+    await paste(page, 'scene 1\n// other\n');
+    await page.waitForFunction((old) => location.hash !== old, {}, link);
+    await page.evaluate((old) => { location.hash = old; }, link);
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('sphere ball')");
+    await page.evaluate('history.back()');
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('// other')");
+    await page.evaluate('history.forward()');
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('sphere ball')");
+    await close();
+  });
+
+  test('a link with nonsense in it does no harm', async () => {
+    const packed = (value) => Buffer.concat([Buffer.of(1), deflateRawSync(JSON.stringify(value))]);
+    const link = (value) => `#${packed(value).toString('base64url')}`;
+    const nonsense = project(ball, {
+      settings: { width: 'wide', error: [-1], other: 'x' },
+      choices: { type: 'open', params: { size: 3, none: { a: 1 } }, camera: 7, frame: 'x', pose: [1] },
+    });
+    const { page, close } = await open({ fragment: link(nonsense) });
+    await title(page, 'No problems');
+    await set(page, '#error', '5');
+    await set(page, '#width', '100');
+    await finishedPicture(page, 'picture.header.full_width === 100');
+    await close();
+    const wrong = [{ '../up.scene': ball }, { 'a.scene': ball, 'a.scene/b.scene': '' }, { 'Bälle 1.scene': ball },
+                   { 'a.scene': 1 }];
+    for (const files of wrong) {
+      const other = await open({ fragment: link({ files, main: Object.keys(files)[0] }) });
+      await notice(other.page, 'damaged');
+      await other.close();
+    }
+  });
+
+  test('a browser that keeps nothing lets the page work, and says so where a text is lost', async () => {
+    const { page, close } = await open({ prepare: () => {
+      const refuse = () => { throw new DOMException('refused', 'SecurityError'); };
+      for (const key of ['localStorage', 'sessionStorage', 'caches'])
+        Object.defineProperty(globalThis, key, { get: refuse });
+    } });
+    await pictureOf(page);
+    await set(page, '#width', '100');
+    await finishedPicture(page);
+    await title(page, 'No problems');
+    assert.equal(await page.$eval('#notice', ({ textContent }) => textContent), '');
+    await press(page, 's', 'Control');
+    const lines = longLines(9000);
+    await paste(page, `${ball}${lines.join('\n')}\n`);
+    await notice(page, 'does not keep the text');
+    await close();
+  });
+
+  test('dropped files keep what their names allow; those that are too large are refused', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    await finishedPicture(page);
+    const drop = (...files) => page.evaluate((list) => {
+      const dataTransfer = new DataTransfer();
+      for (const [fileName, text, times] of list)
+        dataTransfer.items.add(new File(Array(times ?? 1).fill(text), fileName));
+      const event = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
+      document.getElementById('editor').dispatchEvent(event);
+    }, files);
+    await drop(['Bälle 1.scene', 'scene 1\n']);
+    await notice(page, 'B-lle-1.scene is added');
+    await drop(['-.scene', 'scene 1\n']);
+    await notice(page, 'begins with a letter');
+    await drop(['large.csv', 'x'.repeat(1000), 6000]);
+    await notice(page, 'too large');
+    await drop(['broken.json', '[['.repeat(20_000)]);
+    await notice(page, 'cannot be converted');
+    await page.click('#files li:nth-child(1) button');
+    assert.equal(await textOf(page), ball);
+    await close();
+  });
+
+  if (isReal) {
+    test('a scene without end gets the message of the language', async () => {
+      const sphere = (x) => `sphere a { center: (${x}, 0, 0), radius: 1 }\n`;
+      const { page, close } = await open({ start: project(`scene 1\nfn f(x) = f(x + 1)\n${sphere('f(0)')}`) });
+      const code = (text) => page.waitForFunction(
+          (part) => document.getElementById('problem-list').innerText.includes(part), {}, text);
+      await code('E301');
+      await paste(page, `scene 1\nfor i in range(1000000000) { if i < 0 { ${sphere('i')} } }\n`);
+      await code('E304');
+      await paste(page, ball);
+      await title(page, 'No problems');
+      await finishedPicture(page);
+      await close();
+    });
+
+    test('a scene of too many spheres gets the message of the language', async () => {
+      const loop = 'for i in range(300000000) { sphere { center: (i, 0, 0), radius: 1, material: diffuse(color: red) } }';
+      const { page, close } = await open({ start: project(ball.replace('render', `${loop}\nrender`)) });
+      await page.waitForFunction("/E315|memory/.test(document.getElementById('problem-list').innerText)");
+      await paste(page, ball);
+      await title(page, 'No problems');
+      await finishedPicture(page);
+      assert.equal(await textOf(page), ball);
+      await close();
+    });
+
+    test('without a service worker it computes on one thread', async () => {
+      const other = await serve(bridge, ['playground/service-worker.js']);
+      const { page, close } = await open({ start: project(ball), address: addressOf(other) });
+      await finishedPicture(page);
+      assert.equal(await page.evaluate('crossOriginIsolated'), false);
+      assert.deepEqual(await modules(page), ['sdlc.wasm']);
+      await close();
+      other.close();
+      other.closeAllConnections();
+    });
+
+    test('an engine that cannot be loaded is loaded at another try', async () => {
+      const missing = ['playground/service-worker.js', 'playground/sdlc.wasm'];
+      const other = await serve(bridge, missing);
+      const { page, close } = await open({ start: project(ball), address: addressOf(other) });
+      await notice(page, 'cannot be loaded: 404');
+      missing.pop();
+      await page.click('#notice-action');
+      await finishedPicture(page);
+      await close();
+      other.close();
+      other.closeAllConnections();
+    });
+  }
 
   test('from a folder the page says what is missing', async () => {
     const { page, close } = await open({ address: pathToFileURL(join(site, 'playground/index.html')).href });
