@@ -22,7 +22,8 @@ class Preview {
  public:
   explicit Preview(const Json& parameters)
       : arguments_(parameters.value("arguments", std::vector<std::string>())),
-        options_{.scene = {.file = parameters.at("file").get<std::string>()},
+        options_{.scene = {.file = parameters.at("file").get<std::string>(),
+                           .reading = {.limits = kLimits}},
                  .overrides = overrides_of(parameters),
                  .kernel = request_of(parameters),
                  .has_editor = true} {

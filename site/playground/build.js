@@ -67,7 +67,8 @@ export async function buildPlayground({ root, output, examples, first, engine })
     define: { WORDS: JSON.stringify(wordsOf(grammar)) },
   });
   const inputs = Object.keys(metafile.inputs).map((path) => join(here, path));
-  write('licenses.txt', licenses(inputs).join('\n\n---\n\n'));
+  const notices = [...licenses(inputs), ...(engine ? [read('wasm/THIRD_PARTY.md')] : [])];
+  write('licenses.txt', notices.join('\n\n---\n\n'));
 
   write(
     'picture.html',
@@ -81,7 +82,8 @@ export async function buildPlayground({ root, output, examples, first, engine })
   });
   const engineFiles = engine ? readdirSync(engine).filter((name) => /\.(wasm|m?js)$/.test(name)) : [];
   const modules = ['sdlc.wasm', 'sdlc-threads.wasm'].filter((name) => engineFiles.includes(name));
-  write('index.html', fill(local('index.html'), { examples: options.join('\n'), first: escape(first), engine: modules.join(' ') }));
+  const values = { examples: options.join('\n'), first: escape(first), engine: modules.join(' ') };
+  write('index.html', fill(local('index.html'), values));
   write('playground.css', local('playground.css'));
   write('engine.js', local('engine.js'));
   for (const name of engineFiles) cpSync(join(engine, name), join(folder, name));

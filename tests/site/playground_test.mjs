@@ -560,6 +560,7 @@ function tests(name, executablePath, args, isReal) {
 
   test('back and forward go between links', async () => {
     const { page, close } = await open({ start: project(ball) });
+    await finishedPicture(page); // while a page is loaded, a fragment replaces the one before
     await page.waitForFunction('location.hash.length > 100');
     const link = await page.evaluate('location.hash');
     await paste(page, 'scene 1\n// other\n');
