@@ -113,7 +113,14 @@ export class Engine {
   }
 
   /** @param {string} path */
-  removeFile(path) { this.#module.FS.unlink(path); }
+  removeFile(path) {
+    const { FS } = this.#module;
+    FS.unlink(path);
+    const parents = path.split('/').slice(0, -1);
+    try {
+      for (; parents.length > 0; parents.pop()) FS.rmdir(parents.join('/'));
+    } catch {}  // it has other files
+  }
 
   // Texts
 
@@ -179,8 +186,8 @@ export class Engine {
 
   // A picture page: the messages are those of docs/serve.md
 
-  /** Begins to show a scene, as `sdlc serve` does; the options are those of startRender(), and `arguments`, those of
-   * the command `sdlc render` that the page shows. */
+  /** Begins to show a scene, as `sdlc serve` does; of the options of startRender() it takes `render` and
+   * `sandbox`, and `arguments`, those of the command `sdlc render` that the page shows. */
   startPreview(file, options = {}) {
     this.#call('start_preview', { ...options, file, render: { threads: this.#threads, ...options.render } });
   }

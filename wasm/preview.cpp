@@ -23,7 +23,8 @@ class Preview {
   explicit Preview(const Json& parameters)
       : arguments_(parameters.value("arguments", std::vector<std::string>())),
         options_{.scene = {.file = parameters.at("file").get<std::string>(),
-                           .reading = {.limits = kLimits}},
+                           .reading = {.limits = kLimits,
+                                       .is_sandboxed = parameters.value("sandbox", false)}},
                  .overrides = overrides_of(parameters),
                  .kernel = request_of(parameters),
                  .has_editor = true} {

@@ -26,8 +26,7 @@ export class Engine {
     let worker;
     const fail = (text) => {
       if (worker !== this.#worker) return;
-      this.#worker?.terminate();
-      this.#worker = null;
+      this.end();
       this.report({ from: 'failed', kind: 'defect', text });
     };
     try {
@@ -45,8 +44,7 @@ export class Engine {
       if (data.from === 'pong') {
         if (data.id === this.#lastPing) clearTimeout(this.#stopTimer);
       } else if (data.from === 'failed') {
-        worker.terminate();
-        this.#worker = null;
+        this.end();
         this.report(data);
       } else {
         this.report(data);
@@ -59,10 +57,6 @@ export class Engine {
     clearTimeout(this.#stopTimer);
     this.#worker?.terminate();
     this.#worker = null;
-  }
-
-  get isRunning() {
-    return this.#worker !== null;
   }
 
   post(message) {

@@ -9,6 +9,7 @@ let main;
 let settings = [];
 let hasPreview = false;
 let isStopped = false; // the render of the preview, by the page
+let sandbox = false;
 let hasWork = false; // the preview
 const requests = []; // to the language server
 const kept = new Map(); // what the page has said of itself and of the scene: a new preview has to know it
@@ -19,7 +20,7 @@ const show = (message) => postMessage({ from: 'preview', message });
 
 /** Settings as the arguments of `sdlc render`: `--width=480`, `--error=5%`, `--denoise`. */
 function optionsOf(flags) {
-  const options = { arguments: ['preview', main, ...flags], render: {} };
+  const options = { arguments: ['preview', main, ...flags], sandbox, render: {} };
   for (const flag of flags) {
     const [, name, value] = /^--([\w-]+)(?:=(.*))?$/.exec(flag);
     if (value === undefined) options[name] = true;
@@ -68,8 +69,11 @@ turns.port2.onmessage = () => {
   isTurnToCome = false;
   attempt(() => {
     if (requests.length > 0) return answer(requests.shift());
-    const step = engine.stepPreview(kStep);
-    hasWork = step.hasWork;
+    if (!hasWork) return; // it has been stopped
+    const step = engine.stepPreview(isStopped ? 0 : kStep);
+    // A click is answered, and nothing rendered.
+    if (isStopped) engine.changePreview({ stop: true });
+    hasWork = step.hasWork && !isStopped;
     for (const text of step.messages) show(outOfFolder(text));
     if (step.picture) postMessage({ from: 'preview', message: step.picture }, [step.picture]);
   });
@@ -92,14 +96,16 @@ function wasAddedTo(last, { method, params }) {
 /** Writes files, and removes those whose content is null; false if nothing changes. */
 function write(contents) {
   const changes = [];
-  for (const [name, content] of Object.entries(contents)) {
+  // Removed files first: a file may become a folder.
+  const isGone = ([, content]) => content === null;
+  for (const [name, content] of Object.entries(contents).sort((a, b) => isGone(b) - isGone(a))) {
     const known = files.get(name) ?? null;
     if (content === known) continue;
     if (content === null) engine.removeFile(folder + name);
     else engine.writeFile(folder + name, content);
     if (content === null) files.delete(name);
     else files.set(name, content);
-    changes.push({ uri: `file://${encodeURI(folder + name)}`, type: known === null ? 1 : content === null ? 3 : 2 });
+    changes.push({ uri: `file://${(folder + name).split('/').map(encodeURIComponent).join('/')}`, type: known === null ? 1 : content === null ? 3 : 2 });
   }
   if (changes.length === 0) return false;
   handlers.lsp({ message: { jsonrpc: '2.0', method: 'workspace/didChangeWatchedFiles', params: { changes } } });
@@ -115,7 +121,7 @@ function attempt(action) {
 }
 
 const handlers = {
-  async start({ module, threads = 1, folder: root = '/playground/' }) {
+  async start({ module, threads = 1, folder: root = '/~sdlc~/' }) {
     folder = root;
     try {
       if (!module) throw new Error('this site has no engine');
@@ -131,8 +137,7 @@ const handlers = {
   },
   files(message) {
     const gone = [...files.keys()].filter((name) => !Object.hasOwn(message.files, name));
-    // First: a file may become a folder.
-    const hasChanged = write({ ...Object.fromEntries(gone.map((name) => [name, null])), ...message.files });
+    const hasChanged = write({ ...message.files, ...Object.fromEntries(gone.map((name) => [name, null])) });
     const isOther = main !== message.main;
     main = message.main;
     if (!message.render) return handlers.stop();
@@ -149,6 +154,7 @@ const handlers = {
     const end = message.main.lastIndexOf('/') + 1;
     engine.enterFolder(folder + message.main.slice(0, end)); // names of files are relative to it
     main = message.main.slice(end);
+    sandbox = Boolean(message.sandbox);
     startPreview();
   },
   settings(message) {
@@ -173,6 +179,7 @@ const handlers = {
   },
   stop() {
     isStopped = true;
+    hasWork = false;
     if (hasPreview) engine.changePreview({ stop: true });
     show({ type: 'progress', share: 0, is_running: false });
   },

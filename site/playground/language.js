@@ -6,7 +6,7 @@ import { StateEffect, StateField, Text } from '@codemirror/state';
 import { Decoration, EditorView, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 
-const kRoot = 'file:///playground/';
+const kRoot = 'file:///~sdlc~/'; // no text has it, and no name of a file
 export const uriOf = (name) => kRoot + name;
 const nameOf = (uri) => (uri.startsWith(kRoot) ? decodeURIComponent(uri.slice(kRoot.length)) : null);
 export const isScene = (name) => name.endsWith('.scene');
@@ -168,6 +168,21 @@ class Scenes extends Workspace {
   }
 }
 
+const kAllowed = new Set(
+  'A BLOCKQUOTE BR CODE DEL EM H1 H2 H3 H4 H5 H6 HR LI OL P PRE SPAN STRONG TABLE TBODY TD TH THEAD TR UL'.split(' '),
+);
+/** HTML made of the Markdown of comments, which may be of a stranger's scene: other elements become text. */
+function sanitized(html) {
+  const { body } = new DOMParser().parseFromString(html, 'text/html');
+  for (const node of body.querySelectorAll('*')) {
+    if (!kAllowed.has(node.tagName)) node.replaceWith(node.textContent);
+    for (const { name, value } of [...node.attributes]) {
+      if (name !== 'class' && !(name === 'href' && /^https?:/.test(value))) node.removeAttribute(name);
+    }
+  }
+  return body.innerHTML;
+}
+
 /**
  * The client for `project` (names(), doc(name), change(name, update), show(name)). `send(message)` gives a message to
  * the server; `onFindings(name, findings)` takes those of a file: `{message, code, severity, at(), fixes}`, where
@@ -186,6 +201,7 @@ export class Language {
       unsubscribe: () => (this.#receive = () => {}),
     };
     this.client = new LSPClient({
+      sanitizeHTML: sanitized,
       rootUri: kRoot,
       timeout: 60_000, // while it renders on one thread, it answers late
       workspace: (client) => new Scenes(client, project),
@@ -217,7 +233,7 @@ export class Language {
 
   /** Names of files in texts are relative. */
   receive(message) {
-    this.#receive(JSON.stringify(message).replaceAll(/(?<!file:\/\/)\/playground\//g, ''));
+    this.#receive(JSON.stringify(message).replaceAll(/(?<!file:\/\/)\/~sdlc~\//g, ''));
   }
 
   extension(name) {

@@ -127,14 +127,22 @@ function load(next) {
   keep();
 }
 
-/** Replaces the project; the notice has the way back. */
-function replace(next, text) {
+let isOwn = false; // whether the text is also elsewhere, as an example is
+
+/** Replaces the project; the notice has the way back. The text before is kept if it is the user's. */
+function replace(next, text, isNextOwn = true) {
   const old = snapshot();
+  const wasOwn = isOwn;
   load(next);
   if (JSON.stringify(old.files) === JSON.stringify(next.files)) return;
-  store(kBefore, old);
-  notify(text, ['Back to the text before', () => replace(old, 'This is the text before.')]);
-  if (!$('example').querySelector('[value=before]')) offerBefore();
+  isOwn = isNextOwn;
+  storeNow(); // makes room
+  const isKept = !wasOwn || store('localStorage', kBefore, old);
+  notify(isKept ? text : `${text} This browser has no room for the text before: only this button leads to it.`, [
+    'Back to the text before',
+    () => replace(old, 'This is the text before.', wasOwn),
+  ]);
+  if (wasOwn && isKept && !$('example').querySelector('[value=before]')) offerBefore();
 }
 
 function offerBefore() {
@@ -143,17 +151,17 @@ function offerBefore() {
 
 // Keeping
 
-function store(key, value) {
+function store(storage, key, value) {
   try {
-    localStorage.setItem(key, JSON.stringify(value));
+    globalThis[storage].setItem(key, JSON.stringify(value));
     return true;
   } catch {
     return false; // there is no room, or the browser keeps nothing
   }
 }
-function stored(key) {
+function stored(storage, key) {
   try {
-    const value = JSON.parse(localStorage.getItem(key));
+    const value = JSON.parse(globalThis[storage].getItem(key));
     return isProject(value) ? value : null;
   } catch {
     return null;
@@ -166,7 +174,9 @@ let isDirty = false; // whether anything has changed since it was stored
 let hasWarned = false; // that the text is lost when the page is left
 function storeNow() {
   isDirty = false;
-  return store(kStored, { ...snapshot(), fragment });
+  const now = { ...snapshot(), fragment, isOwn };
+  store('sessionStorage', kStored, now); // of this tab
+  return store('localStorage', kStored, now);
 }
 /** Puts the project into the browser's storage and the address. Returns the address, or null if it is too long. */
 function keep() {
@@ -255,6 +265,7 @@ const sendCursor = later(100, () => {
 });
 
 function hasChanged() {
+  isOwn = true;
   isStopped = false;
   sendFilesSoon();
   keepSoon();
@@ -553,7 +564,7 @@ async function takeFile(file) {
     const answer = await convert(text);
     if (answer.text == null) return notify(`${file.name} cannot be converted: ${answer.failure}`);
     const scene = name.replace(/\.json$/i, '.scene');
-    return replace({ files: { [scene]: answer.text }, main: scene, settings }, `${file.name} is a scene now.`);
+    return replace({ files: { [scene]: answer.text }, main: scene, settings }, `${file.name} is a scene now.`, false);
   }
   const files = { ...snapshot().files, [name]: text };
   if (areMixed(Object.keys(files))) return notify(`${name} is the name of a folder here.`);
@@ -569,7 +580,7 @@ const takeFiles = async (files) => {
 async function openExample(value) {
   $('example').value = '';
   if (value === 'before') {
-    const before = stored(kBefore);
+    const before = stored('localStorage', kBefore);
     if (before) replace(before, 'This is the text before.');
     return;
   }
@@ -581,7 +592,7 @@ async function openExample(value) {
       return [path, await response.text()];
     });
     const files = Object.fromEntries(await Promise.all(texts));
-    replace({ files, main: first, settings: kDefaults }, `The example ${first} is open.`);
+    replace({ files, main: first, settings: kDefaults }, `The example ${first} is open.`, false);
   } catch (error) {
     notify(`The example cannot be loaded: ${error.message}`);
   }
@@ -713,12 +724,13 @@ async function start() {
     await Promise.race([isStarted, new Promise((resolve) => setTimeout(resolve, 5000))]);
   }
   view = new EditorView({ parent: $('editor') });
-  const own = stored(kStored);
+  const own = stored('sessionStorage', kStored) ?? stored('localStorage', kStored);
   const first = { files: { 'main.scene': $('first-scene').content.textContent }, main: 'main.scene', settings: kDefaults };
-  if (stored(kBefore)) offerBefore();
+  if (stored('localStorage', kBefore)) offerBefore();
   // The address is older than what is kept if the page was left at once.
   const linked = location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
+  isOwn = own?.isOwn ?? Boolean(own ?? linked);
   const example = new URLSearchParams(location.search).get('example');
   if (location.search) history.replaceState(null, '', location.pathname + location.hash);
   if (example) {

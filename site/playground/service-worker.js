@@ -27,10 +27,11 @@ self.addEventListener('message', ({ data }) => {
 async function answer(event) {
   const { request } = event;
   const cache = await caches.open(kCache);
-  const url = request.url === scope.href ? new URL('index.html', scope) : request;
+  const url = new URL(request.url).pathname === scope.pathname ? new URL('index.html', scope) : request;
   let response = await cache.match(url, { ignoreSearch: true });
   if (!response) {
-    response = await fetch(request);
+    // As new as the scripts that use it.
+    response = await (request.mode === 'navigate' ? fetch(request) : fetch(request, { cache: 'no-cache' }));
     const isOurs = request.method === 'GET' && request.url.startsWith(scope);
     if (isOurs && response.status === 200) event.waitUntil(cache.put(url, response.clone()).catch(() => {}));
   }

@@ -32,8 +32,8 @@ onmessage = ({ data }) => {
 function connect(socket, program, received) {
   const folder = mkdtempSync(join(tmpdir(), 'sdlc-playground-'));
   const send = (message) => socket.readyState === WebSocket.OPEN && socket.send(JSON.stringify(message));
-  const inFolder = (text) => text.replaceAll('file:///playground/', `file://${folder}/`);
-  const outOfFolder = (text) => text.replaceAll(`file://${folder}/`, 'file:///playground/').replaceAll(`${folder}/`, '');
+  const inFolder = (text) => text.replaceAll('file:///~sdlc~/', `file://${folder}/`);
+  const outOfFolder = (text) => text.replaceAll(`file://${folder}/`, 'file:///~sdlc~/').replaceAll(`${folder}/`, '');
 
   const lsp = spawn(program, ['lsp'], { stdio: ['pipe', 'pipe', 'inherit'] });
   const tell = (message) => {
@@ -111,8 +111,8 @@ function connect(socket, program, received) {
       const removed = Object.keys(files).filter((name) => !(name in message.files));
       for (const name of removed) rmSync(join(folder, name));
       if (changed.length + removed.length > 0) {
-        const changes = changed.map(([name]) => ({ uri: `file:///playground/${name}`, type: name in files ? 2 : 1 }));
-        changes.push(...removed.map((name) => ({ uri: `file:///playground/${name}`, type: 3 })));
+        const changes = changed.map(([name]) => ({ uri: `file:///~sdlc~/${name}`, type: name in files ? 2 : 1 }));
+        changes.push(...removed.map((name) => ({ uri: `file:///~sdlc~/${name}`, type: 3 })));
         tell({ jsonrpc: '2.0', method: 'workspace/didChangeWatchedFiles', params: { changes } });
       }
       files = message.files;

@@ -379,6 +379,34 @@ function tests(name, executablePath, args, isReal) {
     await close();
   });
 
+  test('a comment of a scene brings no script into the page', async () => {
+    const text = ball.replace('/// How large', '/// <img src=x onerror="globalThis.isHarmed = 1"> <b onclick="x">How</b> large');
+    const { page, close } = await open({ start: project(text) });
+    await title(page, 'No problems');
+    const [word] = await page.$$("xpath/.//div[contains(@class,'cm-line')][contains(.,'param size')]");
+    const { x, y, height } = await word.boundingBox();
+    await page.mouse.move(x + 60, y + height / 2);
+    await page.waitForSelector('.cm-lsp-hover-tooltip');
+    const html = await page.$eval('.cm-lsp-hover-tooltip', (tooltip) => tooltip.innerHTML);
+    assert.match(html, /How/);
+    assert.doesNotMatch(html, /<img|onerror=|onclick=/);
+    assert.equal(await page.evaluate('globalThis.isHarmed'), undefined);
+    await close();
+  });
+
+  test('the text before is kept when one example follows another', async () => {
+    const { page, close } = await open({ start: project(ball.replace('scene 1', 'scene 1\n// mine')) });
+    await title(page, 'No problems');
+    const examples = await page.$$eval('#example option', (list) => list.map(({ value }) => value).filter(Boolean));
+    for (const value of examples.slice(0, 2)) {
+      await page.select('#example', value);
+      await notice(page, value.split(' ')[0]);
+    }
+    await page.select('#example', 'before');
+    await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('// mine')");
+    await close();
+  });
+
   test('files are added, renamed and deleted', async () => {
     const { page, close } = await open({ start: project('scene 1\ninclude "parts/balls.scene"\n') });
     await title(page, '1 problem');
@@ -551,10 +579,13 @@ function tests(name, executablePath, args, isReal) {
     await second.page.waitForFunction("localStorage.getItem('sdlc-playground').includes('// second')");
     await first.page.bringToFront();
     await first.page.reload();
-    await notice(first.page, 'from the link');
+    await title(first.page, 'No problems');
     assert.equal(await textOf(first.page), ball);
-    await first.page.click('#notice-action');
-    await first.page.waitForFunction("document.querySelector('.cm-content').textContent.includes('// second')");
+    await paste(first.page, 'scene 1\n// first\n');
+    await first.page.waitForFunction("localStorage.getItem('sdlc-playground').includes('// first')");
+    await second.page.bringToFront();
+    await second.page.reload();
+    await second.page.waitForFunction("document.querySelector('.cm-content').textContent.includes('// second')");
     await first.close();
   });
 

@@ -146,7 +146,21 @@ test('files of the playground are all there are, and settings are those of the c
   const broken = worker.see(({ message }) => message?.type === 'scene' && !message.is_correct);
   worker.post({ to: 'files', files: { 'ball.scene': kScene }, main: 'ball.scene', render: true });
   assert.match(JSON.stringify((await broken).message.findings), /parts\.scene/);
+});
+
+test('a stop ends the render of a change that still waits', async (t) => {
+  const worker = await startedWorker(t);
+  const files = { 'ball.scene': kScene, 'parts.scene': 'scene 1\nlet size = 1\n' };
+  worker.post({ to: 'settings', arguments: ['--width=64', '--samples=1000000'] });
+  worker.post({ to: 'preview', message: { type: 'visible', value: true } });
+  const running = worker.see(({ message }) => message?.type === 'progress' && message.is_running);
+  worker.post({ to: 'files', files, main: 'ball.scene', render: true });
+  await running;
   const stopped = worker.see(({ message }) => message?.type === 'progress' && !message.is_running);
-  worker.post({ to: 'files', files, main: 'ball.scene', render: false });
+  worker.post({ to: 'settings', arguments: ['--width=32', '--samples=1000000'] });
+  worker.post({ to: 'stop' });
   await stopped;
+  const again = worker.see(({ message }) => message?.type === 'progress' && message.is_running).then(() => 'again');
+  const later = new Promise((resolve) => setTimeout(() => resolve('stopped'), 2000));
+  assert.equal(await Promise.race([again, later]), 'stopped');
 });

@@ -15,7 +15,12 @@ class Engines {
 
   /** Starts one that has all files; `report` takes its messages, as README.md of the playground lists them. */
   async start(report) {
-    const [{ url, module }, files] = await Promise.all([(this.#loading ??= this.#load()), this.files.all()]);
+    this.#loading ??= this.#load().catch((error) => {
+      this.#loading = undefined;
+      throw error;
+    });
+    const { url, module } = await this.#loading;
+    const files = await this.files.all(); // as late as possible
     const engine = new Engine(report, () => new Worker(url, { name: 'sdlc' }));
     engine.start({ module, folder: FOLDER });
     engine.post({ to: 'changes', files });

@@ -2,7 +2,7 @@
 'use strict';
 
 const vscode = require('vscode');
-const { showText } = require('../client');
+const { settings, showText } = require('../client');
 const { Previews: Base, frame, makeNonce } = require('../preview');
 const { nameOf, uriOf } = require('./uris');
 
@@ -39,7 +39,10 @@ class Previews extends Base {
     this.engines = engines;
     this.files = files;
     this.page = vscode.Uri.joinPath(extensionUri, 'dist/web/picture.html');
-    files.onDidChange((changed) => this.#change(changed));
+    files.onDidChange((changed) => {
+      const dirty = new Set(vscode.workspace.textDocuments.filter((each) => each.isDirty).map(({ uri }) => nameOf(uri)));
+      this.#change(Object.fromEntries(Object.entries(changed).filter(([name]) => !dirty.has(name))));
+    });
     vscode.workspace.onDidChangeTextDocument(({ document }) => {
       if (files.isOurs(document)) this.#change({ [nameOf(document.uri)]: document.getText() });
     });
@@ -89,7 +92,7 @@ class Previews extends Base {
   }
 
   async #take(shown, message) {
-    if (message.type === 'connected') return this.#start(shown);
+    if (message.type === 'connected') return this.#start(shown).catch(({ message: text }) => this.#fail(shown, text));
     if (message.type === 'open') return this.#open(message.place);
     shown.engine?.post({ to: 'preview', message });
   }
@@ -110,7 +113,7 @@ class Previews extends Base {
     });
     engine.post({ to: 'preview', message: { type: 'visible', value: panel.visible } });
     this.#choose(shown);
-    engine.post({ to: 'show', main: nameOf(vscode.Uri.parse(scene)) });
+    engine.post({ to: 'show', main: nameOf(vscode.Uri.parse(scene)), sandbox: settings().sandbox });
     const editor = vscode.window.activeTextEditor;
     if (editor) this.follow({ textEditor: editor, selections: editor.selections });
   }

@@ -4,7 +4,7 @@
 
 const vscode = require('vscode');
 
-const FOLDER = '/workspace/'; // of all of them, in the engine
+const FOLDER = '/~sdlc~/'; // of all of them, in the engine; no text has it
 
 function nameOf({ scheme, authority, path }) {
   return `${scheme}/${authority || '-'}${path}`;
@@ -29,7 +29,7 @@ const converters = {
 
 /** A message of the server whose texts have paths as they are in VS Code: `/owner/project/ball.scene`. */
 function withPlainPaths(message) {
-  return JSON.parse(JSON.stringify(message).replace(/(?<!file:\/\/)\/workspace\/[^/"]+\/[^/"]+(?=\/)/g, ''));
+  return JSON.parse(JSON.stringify(message).replace(/(?<!file:\/\/)\/~sdlc~\/[^/"]+\/[^/"]+(?=\/)/g, ''));
 }
 
 module.exports = { FOLDER, converters, nameOf, uriOf, withPlainPaths };
