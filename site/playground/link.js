@@ -3,8 +3,16 @@ const kVersion = 1;
 /** Longer links are cut by mail programs and chats. */
 export const kMaxLink = 30_000;
 
-const through = async (bytes, stream) =>
-  new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+async function through(bytes, stream) {
+  const writer = stream.writable.getWriter();
+  // Reading tells what is wrong.
+  writer.write(bytes).catch(() => {});
+  writer.close().catch(() => {});
+  const chunks = [];
+  const reader = stream.readable.getReader();
+  for (let part; !(part = await reader.read()).done; ) chunks.push(part.value);
+  return new Uint8Array(await new Blob(chunks).arrayBuffer());
+}
 
 const toBase64 = (bytes) => {
   let text = '';

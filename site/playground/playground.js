@@ -133,6 +133,7 @@ let isOwn = false; // whether the text is also elsewhere, as an example is
 function replace(next, text, isNextOwn = true) {
   const old = snapshot();
   const wasOwn = isOwn;
+  isStopped = false;
   load(next);
   if (JSON.stringify(old.files) === JSON.stringify(next.files)) return;
   isOwn = isNextOwn;
@@ -578,6 +579,7 @@ const takeFiles = async (files) => {
 // Controls
 
 async function openExample(value) {
+  if (!value) return;
   $('example').value = '';
   if (value === 'before') {
     const before = stored('localStorage', kBefore);

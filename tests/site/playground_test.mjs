@@ -385,6 +385,7 @@ function tests(name, executablePath, args, isReal) {
     await title(page, 'No problems');
     const [word] = await page.$$("xpath/.//div[contains(@class,'cm-line')][contains(.,'param size')]");
     const { x, y, height } = await word.boundingBox();
+    await page.mouse.move(x + 55, y + height / 2);
     await page.mouse.move(x + 60, y + height / 2);
     await page.waitForSelector('.cm-lsp-hover-tooltip');
     const html = await page.$eval('.cm-lsp-hover-tooltip', (tooltip) => tooltip.innerHTML);
