@@ -2,6 +2,7 @@
 const kStep = 30; // ms between two looks at the messages
 
 let folder; // of the files, in the memory of the engine
+let folderInTexts; // not in URIs
 let engine;
 let early = []; // messages that came before the engine
 const files = new Map(); // content by name
@@ -15,7 +16,7 @@ const requests = []; // to the language server
 const kept = new Map(); // what the page has said of itself and of the scene: a new preview has to know it
 
 /** Names of files are relative; URIs stay. */
-const outOfFolder = (text) => JSON.parse(text.replaceAll(new RegExp(`(?<!file://)${folder}`, 'g'), ''));
+const outOfFolder = (text) => JSON.parse(text.replaceAll(folderInTexts, ''));
 const show = (message) => postMessage({ from: 'preview', message });
 
 /** Settings as the arguments of `sdlc render`: `--width=480`, `--error=5%`, `--denoise`. */
@@ -123,6 +124,7 @@ function attempt(action) {
 const handlers = {
   async start({ module, threads = 1, folder: root = '/~sdlc~/' }) {
     folder = root;
+    folderInTexts = new RegExp(`(?<!file://)${folder}`, 'g');
     try {
       if (!module) throw new Error('this site has no engine');
       engine = await make(module, threads);

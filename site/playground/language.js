@@ -7,6 +7,7 @@ import { Decoration, EditorView, keymap } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 
 const kRoot = 'file:///~sdlc~/'; // no text has it, and no name of a file
+const kRootInTexts = new RegExp(`(?<!file://)${kRoot.slice('file://'.length)}`, 'g');
 export const uriOf = (name) => kRoot + name;
 const nameOf = (uri) => (uri.startsWith(kRoot) ? decodeURIComponent(uri.slice(kRoot.length)) : null);
 export const isScene = (name) => name.endsWith('.scene');
@@ -233,7 +234,7 @@ export class Language {
 
   /** Names of files in texts are relative. */
   receive(message) {
-    this.#receive(JSON.stringify(message).replaceAll(/(?<!file:\/\/)\/~sdlc~\//g, ''));
+    this.#receive(JSON.stringify(message).replaceAll(kRootInTexts, ''));
   }
 
   extension(name) {

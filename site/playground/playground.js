@@ -127,7 +127,7 @@ function load(next) {
   keep();
 }
 
-let isOwn = false; // whether the text is also elsewhere, as an example is
+let isOwn = false; // whether the text is nowhere else; an example that nobody changed is
 
 /** Replaces the project; the notice has the way back. The text before is kept if it is the user's. */
 function replace(next, text, isNextOwn = true) {
