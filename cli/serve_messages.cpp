@@ -43,6 +43,9 @@ Json findings_json(const std::vector<ServedFinding>& findings) {
   Json all = Json::array();
   for (const ServedFinding& finding : findings) {
     all.push_back({{"severity", finding.is_error ? "error" : "warning"},
+                   {"code", finding.code},
+                   {"message", finding.message},
+                   {"help", finding.help},
                    {"text", finding.text},
                    {"place", place_json(finding.where)}});
   }

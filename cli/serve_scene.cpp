@@ -138,6 +138,9 @@ void take_findings(ServedScene& scene) {
     std::ostringstream text;
     lang::make_diagnostic_writer({}, text)->write(*finding);
     scene.findings.push_back({.is_error = finding->info->severity == lang::Severity::Error,
+                              .code = finding->info->code,
+                              .message = finding->message,
+                              .help = finding->help,
                               .text = text.str(),
                               .where = finding->where});
   }

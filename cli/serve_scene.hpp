@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,10 @@ struct ServedParam {
 /// A finding about the scene.
 struct ServedFinding {
   bool is_error = true;
-  std::string text;  ///< with its excerpt, as `sdlc lint` prints it
+  std::string_view code;
+  std::string message;
+  std::vector<std::string> help;
+  std::string text;  ///< all of it with its excerpt, as `sdlc lint` prints it
   lang::Location where;
 };
 

@@ -32,7 +32,7 @@ constexpr Call kCalls[] = {
     {"end", end_render},
     {"start_preview", start_preview},
     {"change_preview", change_preview},
-    {"tell_preview", tell_preview},
+    {"send_to_preview", send_to_preview},
     {"step_preview", step_preview},
 };
 

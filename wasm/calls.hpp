@@ -73,7 +73,7 @@ std::span<const std::uint8_t> rendered_pixels();
 
 Json start_preview(const Json& parameters);
 Json change_preview(const Json& parameters);
-Json tell_preview(const Json& parameters);
+Json send_to_preview(const Json& parameters);
 Json step_preview(const Json& parameters);
 /// The binary message of docs/serve.md that the last step has made.
 std::span<const std::uint8_t> preview_picture();

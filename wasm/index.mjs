@@ -161,8 +161,8 @@ export class Engine {
 
   /** Renders for about so many milliseconds.
    * @returns {object} `finished`; `width`, `height`; `samples` and `rays` so far; `share`, from 0 to 1, of the work;
-   * `seconds` since the start; once they are known, `error` (relative, of the whole picture) and `interval` ([least,
-   * most], 95 %); `pixels`, a Uint8ClampedArray of red, green, blue and 255, row by row from the top. */
+   * `seconds` since the start; once they are known, `error` (relative, of the whole picture) and `interval` ([min,
+   * max], 95 %); `pixels`, a Uint8ClampedArray of red, green, blue and 255, row by row from the top. */
   stepRender(milliseconds = 100) {
     const step = this.#call('step', { milliseconds });
     const begin = this.#module._sdlc_pixels();
@@ -197,7 +197,7 @@ export class Engine {
   changePreview(change) { this.#call('change_preview', change); }
 
   /** @param {object} message from the page; `open` is for the caller */
-  tellPreview(message) { this.#call('tell_preview', { message: JSON.stringify(message) }); }
+  sendToPreview(message) { this.#call('send_to_preview', { message: JSON.stringify(message) }); }
 
   /** Compiles what has changed, renders for about so many milliseconds, and answers.
    * @returns {object} `messages` to the page, JSON texts; `picture`: the binary message, an ArrayBuffer or null; `hasWork`:
@@ -225,7 +225,7 @@ export class Engine {
       return this.#module.UTF8ToString(this.#module._sdlc_call(...pointers));
     } catch (error) {
       this.#isDead = true;
-      const isStack = error instanceof RangeError;
+      const isStack = error instanceof RangeError || error.name === 'InternalError';  // the latter in Firefox
       throw new EngineError('dead', isStack ? 'the stack is exhausted' : `the module failed: ${error.message}`);
     } finally {
       if (!this.#isDead) pointers.forEach((pointer) => this.#module._free(pointer));

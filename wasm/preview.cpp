@@ -109,7 +109,7 @@ Json change_preview(const Json& parameters) {
   return Json::object();
 }
 
-Json tell_preview(const Json& parameters) {
+Json send_to_preview(const Json& parameters) {
   running().receive(parameters.at("message").get<std::string>());
   return Json::object();
 }

@@ -206,6 +206,7 @@ function showStatus() {
   if (isComparing) parts.push('pixels and clicks are of the new picture');
   else if (header?.is_finished && header.scene === scene.scene) parts.push('finished');  // progress comes later
   else if (progress?.is_paused) parts.push('paused');
+  else if (progress?.is_stopped) parts.push('stopped');
   else if (progress?.is_running && progress.seconds_left != null)
     parts.push(`${duration(progress.seconds_left)} left`);
   setStatus(parts.join(', '), !scene.is_correct || failure?.scene === scene.scene);

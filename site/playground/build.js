@@ -1,7 +1,7 @@
 // Writes the playground into the site.
 import { createHash } from 'node:crypto';
 import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { join } from 'node:path';
 import { build as bundle, transform } from 'esbuild';
 import { fill, picturePage } from './picture-page.js';
 

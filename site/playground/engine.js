@@ -1,5 +1,5 @@
 // The worker of the playground and of the extension for VS Code: the WebAssembly engine. README.md has the messages.
-const kStep = 30; // ms between two looks at the messages
+const kStep = 30; // ms of a step of the render; messages are taken between steps
 
 let folder; // of the files, in the memory of the engine
 let folderInTexts; // not in URIs
@@ -34,7 +34,7 @@ function optionsOf(flags) {
 
 function startPreview() {
   engine.startPreview(main, optionsOf(settings));
-  for (const message of kept.values()) engine.tellPreview(message);
+  for (const message of kept.values()) engine.sendToPreview(message);
   hasPreview = true;
   isStopped = false;
   stepPreview();
@@ -171,7 +171,7 @@ const handlers = {
       if (isStopped) return; // it would be rendered
     }
     if (!hasPreview) return;
-    engine.tellPreview(message);
+    engine.sendToPreview(message);
     stepPreview();
   },
   cursor({ path, line, column }) {
@@ -183,7 +183,7 @@ const handlers = {
     isStopped = true;
     hasWork = false;
     if (hasPreview) engine.changePreview({ stop: true });
-    show({ type: 'progress', share: 0, is_running: false });
+    show({ type: 'progress', share: 0, is_running: false, is_stopped: true });
   },
   lsp({ message }) {
     if (!wasAddedTo(requests.at(-1), message)) requests.push(message);

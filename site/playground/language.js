@@ -184,18 +184,23 @@ function sanitized(html) {
   return body.innerHTML;
 }
 
+/** A page has no flags. */
+const withoutFlags = (message) => message.replace(/(`--limit \w+=N`) allows more/, 'the program allows more with $1');
+
 /**
  * The client for `project` (names(), doc(name), change(name, update), show(name)). `send(message)` gives a message to
  * the server; `onFindings(name, findings)` takes those of a file: `{message, code, severity, at(), fixes}`, where
- * `fixes` are `{title, apply()}`. It is called again when the fixes are known.
+ * `fixes` are `{title, apply()}`. It is called again when the fixes are known. `onBusy(isBusy)` is called when a text
+ * has changed, and when it has been checked.
  */
 export class Language {
   #receive = () => {};
   #mappings = new Map();
   #colorTimer = 0;
 
-  constructor(project, send, onFindings) {
+  constructor(project, { send, onFindings, onBusy }) {
     this.onFindings = onFindings;
+    this.onBusy = onBusy;
     this.transport = {
       send: (text) => send(JSON.parse(text)),
       subscribe: (handler) => (this.#receive = handler),
@@ -257,8 +262,13 @@ export class Language {
   update(view, name) {
     this.client.sync();
     clearTimeout(this.#colorTimer);
+    this.onBusy(isScene(name) && this.client.connected);
     if (!isScene(name)) return;
-    this.#colorTimer = setTimeout(() => colorBy(this.client, view, uriOf(name)).catch(() => {}), 120);
+    const timer = setTimeout(async () => {
+      await colorBy(this.client, view, uriOf(name)).catch(() => {}); // the server checks before it answers
+      if (timer === this.#colorTimer) this.onBusy(false);
+    }, 120);
+    this.#colorTimer = timer;
   }
 
   async #take({ uri, version, diagnostics }) {
@@ -277,10 +287,12 @@ export class Language {
     };
     const findings = diagnostics.map((diagnostic) => ({
       ...diagnostic,
+      message: withoutFlags(diagnostic.message),
       at: () => [diagnostic.range.start, diagnostic.range.end].map((place) => mapping.mapPos(uri, at(place))),
       fixes: [],
     }));
     this.onFindings(name, findings);
+    if (version != null) this.onBusy(false);
     if (!file || findings.length === 0) return;
     await new Promise((resolve) => setTimeout(resolve, 100)); // the next key may come
     if (this.#mappings.get(uri) !== mapping) return;

@@ -4,7 +4,7 @@ import { basicSetup } from 'codemirror';
 import { indentWithTab } from '@codemirror/commands';
 import { nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
 import { formatDocument } from '@codemirror/lsp-client';
-import { EditorState, Prec } from '@codemirror/state';
+import { EditorState, Prec, StateEffect } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { Engine } from './engine-worker.js';
 import { Language, isScene, sceneLanguage } from './language.js';
@@ -29,10 +29,14 @@ function element(tag, text, properties = {}) {
   return Object.assign(document.createElement(tag), { textContent: text, ...properties });
 }
 
+let noticeStays; // at the next change of the text
 /** A sentence for everybody, with a button if there is an action: [label, function]. */
-function notify(text, action) {
+function notify(text, action, stays = Boolean(action)) {
+  noticeStays = stays;
   $('notice').textContent = text;
+  $('notice-box').hidden = text === '';
   $('notice-action').hidden = !action;
+  if (text) announce(text);
   if (!action) return;
   $('notice-action').textContent = action[0];
   $('notice-action').onclick = () => {
@@ -40,7 +44,9 @@ function notify(text, action) {
     action[1]();
   };
 }
-const announce = (text) => ($('announcement').textContent = text);
+function announce(text) {
+  $('announcement').textContent = text;
+}
 
 // The project
 
@@ -70,34 +76,39 @@ const snapshot = () => ({
 });
 
 const engine = new Engine(takeMessage);
-const language = new Language(project, (message) => engine.post({ to: 'lsp', message }), takeFindings);
+const language = new Language(project, {
+  send: (message) => engine.post({ to: 'lsp', message }),
+  onFindings: takeFindings,
+  onBusy: (isBusy) => setWork({ isChecked: isBusy }),
+});
 
-const stateOf = (name, text) =>
-  EditorState.create({
-    doc: text,
-    extensions: [
-      Prec.high(
-        keymap.of([
-          { key: 'Shift-F8', run: previousDiagnostic },
-          { key: 'F8', run: nextDiagnostic },
-          { key: 'Mod-.', run: focusFix },
-          { key: 'Mod-s', run: keepNow, preventDefault: true },
-        ]),
-      ),
-      basicSetup,
-      keymap.of([indentWithTab]),
-      EditorState.tabSize.of(2),
-      EditorView.contentAttributes.of({ tabindex: '0', 'aria-label': `Text of ${name}`, 'aria-describedby': 'editor-help' }),
-      EditorView.updateListener.of((update) => {
-        if (update.docChanged) {
-          language.update(view, current);
-          hasChanged();
-        }
-        if (update.selectionSet) sendCursor();
-      }),
-      isScene(name) ? [sceneLanguage, language.extension(name)] : [],
-    ],
-  });
+const commonExtensions = [
+  Prec.high(
+    keymap.of([
+      { key: 'Shift-F8', run: previousDiagnostic },
+      { key: 'F8', run: nextDiagnostic },
+      { key: 'Mod-.', run: focusFix },
+      { key: 'Mod-s', run: keepNow, preventDefault: true },
+    ]),
+  ),
+  basicSetup,
+  keymap.of([indentWithTab]),
+  EditorState.tabSize.of(2),
+  EditorView.lineWrapping,
+  EditorView.updateListener.of((update) => {
+    if (update.docChanged) {
+      language.update(view, current);
+      hasChanged();
+    }
+    if (update.selectionSet) sendCursor();
+  }),
+];
+const extensionsOf = (name) => [
+  commonExtensions,
+  EditorView.contentAttributes.of({ tabindex: '0', 'aria-label': `Text of ${name}`, 'aria-describedby': 'editor-help' }),
+  isScene(name) ? [sceneLanguage, language.extension(name)] : [],
+];
+const stateOf = (name, text) => EditorState.create({ doc: text, extensions: extensionsOf(name) });
 
 /** Shows a file in the editor. */
 function show(name) {
@@ -186,7 +197,7 @@ function keep() {
     const isTooLong = made.length > kMaxLink;
     fragment = isTooLong ? '' : made;
     const isLost = !storeNow() && isTooLong;
-    if (isLost && !hasWarned) notify('This browser does not keep the text, which is too long for a link: copy it.');
+    if (isLost && !hasWarned) notify('This browser does not keep the text, which is too long for a link: copy it.', null, true);
     hasWarned = isLost;
     history.replaceState(null, '', isTooLong ? location.pathname : `#${fragment}`);
     return isTooLong ? null : location.href;
@@ -230,7 +241,9 @@ const pageState = {}; // its last messages `view` and `visible`, for a new worke
 let isStopped = false; // by the user or after a failure, until the next change
 let isReady = false;
 let hasEnded = false; // the engine has, because it failed without a picture, too
-const work = { isAwaited: false, isRunning: false };
+// By the language server; the next picture; a render.
+const work = { isChecked: false, isAwaited: false, isRunning: false };
+let sent; // the last {files, main}
 
 const settingsArguments = () => [
   ...(settings.width ? [`--width=${settings.width}`] : []),
@@ -246,10 +259,13 @@ function cleaned({ width, error }) {
   };
 }
 
-function sendFiles() {
+/** `isAgain`: a picture of the same files is wanted, too. */
+function sendFiles(isAgain = true) {
   if (hasEnded) return restartEngine();
   const { files } = snapshot();
-  setWork({ isAwaited: isReady && !isStopped });
+  const isSame = JSON.stringify(sent) === JSON.stringify({ files, main });
+  sent = { files, main };
+  if (isAgain || !isSame) setWork({ isAwaited: isReady && !isStopped });
   engine.post({ to: 'files', files, main, render: !isStopped });
 }
 function sendProject(chosen = choices) {
@@ -257,7 +273,7 @@ function sendProject(chosen = choices) {
   sendFiles();
   if (Object.keys(chosen).length > 0) engine.post({ to: 'preview', message: { type: 'choose', ...chosen } });
 }
-const sendFilesSoon = later(100, sendFiles); // after the findings, which are wanted first
+const sendFilesSoon = later(100, () => sendFiles(false)); // after the findings, which are wanted first
 const sendCursor = later(100, () => {
   const { head } = view.state.selection.main;
   const line = view.state.doc.lineAt(head);
@@ -268,6 +284,7 @@ const sendCursor = later(100, () => {
 function hasChanged() {
   isOwn = true;
   isStopped = false;
+  if (!noticeStays) notify('');
   sendFilesSoon();
   keepSoon();
 }
@@ -275,7 +292,7 @@ function hasChanged() {
 /** It gets the project when it is ready. */
 function restartEngine() {
   isReady = hasEnded = false;
-  setWork({ isAwaited: false, isRunning: false });
+  setWork({ isChecked: false, isAwaited: false, isRunning: false });
   engine.restart();
 }
 
@@ -286,11 +303,22 @@ function renderAgain() {
 }
 
 function setWork(change) {
+  const wasChecking = isChecking();
   Object.assign(work, change);
+  if (isChecking() && !wasChecking) showOldSoon();
+  if (!isChecking() && areOld) showOld(false);
   const isBusy = work.isAwaited || work.isRunning;
   $('render').textContent = isBusy || !isStopped ? 'Stop' : 'Render';
   $('render').disabled = !isBusy && !isStopped;
 }
+
+const isChecking = () => work.isChecked || work.isAwaited;
+let areOld = false; // the findings that are shown, which is said
+function showOld(value) {
+  areOld = value;
+  showFindings();
+}
+const showOldSoon = later(400, () => showOld(isChecking())); // most checks are done before
 
 function stopOrRender() {
   isStopped = !isStopped;
@@ -306,6 +334,7 @@ function stopOrRender() {
 function takeMessage(message) {
   if (message.from === 'ready') {
     isReady = true;
+    checks = 'known';
     language.connect();
     sendProject();
     for (const kept of Object.values(pageState)) engine.post({ to: 'preview', message: kept });
@@ -323,10 +352,14 @@ function takeMessage(message) {
 }
 
 function takeFailure({ kind, text }) {
-  setWork({ isAwaited: false, isRunning: false });
+  setWork({ isChecked: false, isAwaited: false, isRunning: false });
   for (const take of conversions.values()) take({ failure: text });
   conversions.clear();
-  if (kind === 'absent') return notify(`There are no pictures and no checks here: ${text}.`);
+  if (kind === 'absent') {
+    checks = 'absent';
+    showFindings();
+    return notify(`There are no pictures and no checks here: ${text}.`, null, true);
+  }
   if (!isReady) return notify(`The engine does not start: ${text}`, ['Try again', restartEngine]);
   const what = kind === 'memory' ? 'The memory of the browser is too small for this scene' : `The engine failed (${text})`;
   if (isStopped) {
@@ -354,13 +387,16 @@ function takePreview(message) {
     if (header.is_finished) setWork({ isRunning: false });
     return picture?.postMessage(message, [message]);
   }
-  if (message.type === 'scene') setWork({ isAwaited: false });
+  if (message.type === 'scene') {
+    setWork({ isAwaited: false });
+    takeRenderFindings(message.findings);
+  }
   if (message.type === 'progress') setWork({ isRunning: message.is_running && !isStopped });
   if (message.type === 'failure') setWork({ isRunning: false });
   picture?.postMessage(message);
 }
 
-/** What the picture's page says. */
+/** Takes a message of the picture's page. */
 function takeFromPicture(message) {
   if (message.type === 'open') return goTo(message.place);
   if (message.type === 'view' || message.type === 'visible') pageState[message.type] = message;
@@ -390,10 +426,12 @@ addEventListener('message', ({ data, source, ports }) => {
 function goTo({ path, line, column }) {
   if (!states.has(path)) return;
   show(path);
-  showSide('text');
-  const found = view.state.doc.line(Math.min(line, view.state.doc.lines));
-  const before = [...found.text].slice(0, column - 1).join('');
-  goToRange(found.from + before.length);
+  goToRange(offsetOf(view.state.doc, { line, column }));
+  if (!isShown('text')) notify(`The cursor is at ${path}:${line}:${column}.`, ['Show the text', () => showSide('text')]);
+}
+function offsetOf(doc, { line, column }) {
+  const { from, text } = doc.line(Math.min(line, doc.lines));
+  return from + [...text].slice(0, column - 1).join('').length;
 }
 function goToRange(from, to = from) {
   view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
@@ -405,13 +443,41 @@ function goToRange(from, to = from) {
 const findings = new Map(); // lists by name of the file
 const severities = ['', 'error', 'warning', 'info', 'hint']; // by their numbers
 
+let renderFindings = []; // [name, finding]: errors of the scene as a whole, such as a missing camera
+let checks = 'loading'; // then 'known', or 'absent' without an engine
+
 function takeFindings(name, list) {
   findings.set(name, list);
   showFindings();
 }
 
+function takeRenderFindings(list) {
+  renderFindings = list
+    .filter(({ severity, place }) => severity === 'error' && place)
+    .map(({ code, message, help, place }) => [
+      place.path,
+      {
+        code,
+        message: [message, ...help].join('\n'),
+        severity: 1,
+        range: { start: { line: place.line - 1, character: place.column - 1 } },
+        at: () => Array(2).fill(offsetOf(project.doc(place.path), place)),
+        fixes: [],
+      },
+    ]);
+  showFindings();
+}
+
+/** [name, finding] of all files. What the language server has found, too, is shown once. */
+function allFindings() {
+  const checked = [...findings].flatMap(([name, list]) => list.map((finding) => [name, finding]));
+  const known = new Set(checked.map(([name, { code }]) => `${name} ${code}`));
+  const others = renderFindings.filter(([name, { code }]) => !known.has(`${name} ${code}`));
+  return [...checked, ...others].filter(([name]) => states.has(name));
+}
+
 function showFindings() {
-  const shown = [...findings].filter(([name]) => states.has(name)).flatMap(([name, list]) => list.map((f) => [name, f]));
+  const shown = allFindings();
   const marks = (findings.get(current) ?? []).map((finding) => {
     const [from, to] = finding.at();
     const actions = finding.fixes.map(({ title, apply }) => ({ name: title, apply }));
@@ -419,8 +485,10 @@ function showFindings() {
   });
   view.dispatch(setDiagnostics(view.state, marks));
   const count = `${shown.length || 'No'} problem${shown.length === 1 ? '' : 's'}`;
-  if ($('problems-title').textContent !== count) announce(count);
-  $('problems-title').textContent = count;
+  const title = { loading: 'Loading…', absent: 'No checks' }[checks] ?? (areOld ? 'Checking…' : count);
+  if (checks === 'known' && $('problems-title').textContent !== title) announce(title);
+  $('problems-title').textContent = title;
+  $('problem-list').classList.toggle('is-old', areOld);
   const focused = [...$('problem-list').querySelectorAll('button')].indexOf(document.activeElement);
   $('problem-list').replaceChildren(...shown.map(([name, finding]) => problemOf(name, finding)));
   if (focused >= 0) ($('problem-list').querySelectorAll('button')[focused] ?? view).focus();
@@ -460,7 +528,7 @@ function problemOf(name, finding) {
 /** To the first fix of the problem at the cursor, or of the next one. */
 function focusFix() {
   const { head } = view.state.selection.main;
-  const lists = [...findings].filter(([name]) => states.has(name)).flatMap(([name, list]) => list.map((f) => [name, f]));
+  const lists = allFindings();
   const isAhead = ([name, finding]) => name === current && finding.fixes.length > 0 && finding.at()[1] >= head;
   const isOther = ([, finding]) => finding.fixes.length > 0;
   const found = lists.findIndex(isAhead);
@@ -509,6 +577,15 @@ function addFile(name, text) {
   haveFilesChanged(name);
 }
 
+/** Gives the current file another name. Its changes can still be undone. */
+function rename(name) {
+  const renamed = view.state.update({ effects: StateEffect.reconfigure.of(extensionsOf(name)) }).state;
+  const all = [...states].map(([each, state]) => (each === current ? [name, renamed] : [each, state]));
+  states.clear();
+  for (const [each, state] of all) states.set(each, state);
+  haveFilesChanged(name);
+}
+
 let isNewFile;
 function openFileDialog(isNew) {
   isNewFile = isNew;
@@ -534,10 +611,7 @@ $('file-dialog').addEventListener('submit', (event) => {
   if (fault) return event.preventDefault();
   if ($('file-is-main').checked) main = name;
   if (isNewFile) return addFile(name, isScene(name) ? 'scene 1\n' : '');
-  const texts = project.names().map((each) => [each === current ? name : each, project.doc(each).toString()]);
-  states.clear();
-  for (const [each, text] of texts) states.set(each, stateOf(each, text));
-  haveFilesChanged(name);
+  rename(name);
 });
 $('file-delete').addEventListener('click', () => {
   $('file-dialog').close();
@@ -567,16 +641,24 @@ async function takeFile(file) {
     const scene = name.replace(/\.json$/i, '.scene');
     return replace({ files: { [scene]: answer.text }, main: scene, settings }, `${file.name} is a scene now.`, false);
   }
-  const files = { ...snapshot().files, [name]: text };
-  if (areMixed(Object.keys(files))) return notify(`${name} is the name of a folder here.`);
-  replace({ ...snapshot(), files }, `${name} is added.`);
+  if (areMixed([...project.names(), name])) return notify(`${name} is the name of a folder here.`);
+  if (!states.has(name)) {
+    addFile(name, text);
+    return notify(`${name} is added.`);
+  }
   show(name);
+  view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
+  notify(`${name} is replaced. Undo brings the text before.`);
 }
 const takeFiles = async (files) => {
   for (const file of files) await takeFile(file);
 };
 
 // Controls
+
+let lastKey; // in the list of examples
+/** Arrows and letters in a closed list only choose what Enter opens. */
+const isChosen = () => lastKey == null || ['Enter', ' ', 'Tab'].includes(lastKey);
 
 async function openExample(value) {
   if (!value) return;
@@ -594,12 +676,13 @@ async function openExample(value) {
       return [path, await response.text()];
     });
     const files = Object.fromEntries(await Promise.all(texts));
-    replace({ files, main: first, settings: kDefaults }, `The example ${first} is open.`, false);
+    replace({ files, main: first, settings }, `The example ${first} is open.`, false);
   } catch (error) {
     notify(`The example cannot be loaded: ${error.message}`);
   }
 }
 
+const isShown = (id) => $(id).getClientRects().length > 0;
 function showSide(side) {
   document.body.classList.toggle('shows-picture', side === 'picture');
   for (const each of ['text', 'picture']) $(`show-${each}`).setAttribute('aria-pressed', String(each === side));
@@ -619,7 +702,14 @@ function takeSettings() {
 }
 
 const actions = {
-  'example change': () => openExample($('example').value),
+  'notice-close click': () => notify(''),
+  'example pointerdown': () => (lastKey = null),
+  'example keydown': ({ key }) => {
+    lastKey = key;
+    if (key === 'Enter') openExample($('example').value);
+  },
+  'example change': () => isChosen() && openExample($('example').value),
+  'example blur': () => ($('example').value = ''),
   'open click': () => $('chosen').click(),
   'chosen change': () => takeFiles($('chosen').files).then(() => ($('chosen').value = '')),
   'link click': copyLink,
@@ -746,6 +836,6 @@ async function start() {
   $('picture').src = $('picture').dataset.src;
   if (location.protocol !== 'file:') return startEngine();
   notify(`Pages that are opened from a folder cannot compute: there are no pictures and no checks. A server of the folder
-    is enough, such as “python3 -m http.server”.`);
+    is enough, such as “python3 -m http.server”.`, null, true);
 }
 start();

@@ -136,7 +136,7 @@ function connect(socket, program, received) {
     },
     stop() {
       stop();
-      send({ from: 'preview', message: { type: 'progress', share: 0, is_running: false } });
+      send({ from: 'preview', message: { type: 'progress', share: 0, is_running: false, is_stopped: true } });
     },
     lsp: ({ message }) => tell(message),
     convert({ id, text }) {

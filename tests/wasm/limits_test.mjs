@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { createEngine, EngineError, inFolder, native, read, writeBoth } from './support.mjs';
+import { createEngine, inFolder, native, read, writeBoth } from './support.mjs';
 
 const hostile = {
   'endless.scene': 'scene 1\nfor i in range(1000000000) { if i < 0 { sphere { center: (i, 0, 0), radius: 1 } } }\n',
@@ -48,7 +48,7 @@ test('without memory a call fails, and another engine works', async () => {
   const engine = await createEngine({ megabytes: 64 });
   engine.writeFile('demo.scene', read('examples/demo.scene'));
   const large = { render: { width: 8000, height: 8000, samples: 64 } };
-  assert.throws(() => { engine.startRender('demo.scene', large); engine.stepRender(10); }, EngineError);
+  assert.throws(() => { engine.startRender('demo.scene', large); engine.stepRender(10); }, { kind: 'memory' });
   const other = await createEngine();
   other.writeFile('a.scene', 'scene 1\n');
   assert.equal(other.lint('a.scene').errors, 0);

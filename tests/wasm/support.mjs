@@ -7,7 +7,7 @@ import { pathToFileURL } from 'node:url';
 
 export const root = new URL('../../', import.meta.url).pathname;
 export const { createEngine, EngineError, hasThreads } =
-  await import(pathToFileURL(join(process.env.SDLC_WASM_DIR, 'index.mjs')));
+  await import(pathToFileURL(join(process.env.SDLC_WASM, 'index.mjs')));
 
 /** Calls `use` with a folder that is removed afterwards. */
 export async function inFolder(use) {
