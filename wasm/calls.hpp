@@ -28,8 +28,9 @@ class WrongParameter : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// As in the program, but for calls, because the stack cannot grow (wasm/system/stack_segments.cpp),
-/// and for bytes of values and objects: all memory together is at most 2 GB.
+/// As in the program, but for calls, because the stack cannot grow
+/// (wasm/system/stack_segments.cpp), and for bytes of values and objects: all memory together is at
+/// most 2 GB.
 inline constexpr lang::Limits kLimits{.memory = std::uint64_t{1} << 28, .calls = 300};
 
 // Parameters that several functions have

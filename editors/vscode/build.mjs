@@ -2,10 +2,11 @@
 //
 // Makes the folder of a package: the extension with the program, or the one for browsers with the engine in SDLC_WASM,
 // the folder of sdlc-wasm. Lists the licences of what is in it.
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
+import { licensesOf } from '../../site/licenses.js';
 import { picturePage } from '../../site/playground/picture-page.js';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -67,23 +68,10 @@ async function bundleEngine(engine) {
   rmSync(parts, { recursive: true });
 }
 
-/** The folder of the package that contains a bundled file, or undefined for files of ours. */
-function packageOf(file) {
-  return /^(.*node_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(file)?.[1];
-}
-
-function licenseText(path) {
-  const name = readdirSync(path).find((file) => /^(licen[cs]e|copying)(\.|$)/i.test(file));
-  if (!name) throw new Error(`${path} has no licence`);
-  // Indented, as a block of code: licences have headings and lists of their own.
-  return readFileSync(join(path, name), 'utf8').trim().replace(/^(?=.)/gm, '    ');
-}
-
 function writeLicenses(bundled, more) {
-  const folders = [...new Set(bundled.map(packageOf).filter(Boolean))].sort();
-  const notices = folders.map((path) => {
-    const { name, version, license } = JSON.parse(readFileSync(join(here, path, 'package.json'), 'utf8'));
-    return `## ${name} ${version}: ${license}\n\n${licenseText(join(here, path))}\n`;
+  const notices = licensesOf(bundled.map((path) => join(here, path))).map(({ name, version, license, text }) => {
+    // Indented, as a block of code: licences have headings and lists of their own.
+    return `## ${name} ${version}: ${license}\n\n${text.replace(/^(?=.)/gm, '    ')}\n`;
   });
   const title = '# Packages of npm that are part of the extension\n';
   writeFileSync(packed('dist/THIRD_PARTY.md'), [title, ...notices, ...more].join('\n'));

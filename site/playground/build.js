@@ -3,6 +3,7 @@ import { createHash } from 'node:crypto';
 import { cpSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build as bundle, transform } from 'esbuild';
+import { licensesOf } from '../licenses.js';
 import { fill, picturePage } from './picture-page.js';
 
 const here = import.meta.dirname;
@@ -34,16 +35,6 @@ function wordsOf({ repository }) {
   });
 }
 
-/** The licences of the packages in a bundle. */
-function licenses(inputs) {
-  const folders = new Set(inputs.map((path) => /.*node_modules\/(?:@[^/]+\/)?[^/]+/.exec(path)?.[0]).filter(Boolean));
-  return [...folders].sort().map((folder) => {
-    const { name, version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-    const file = readdirSync(folder).find((each) => /^licen[sc]e/i.test(each));
-    return `${name} ${version}\n\n${file ? readFileSync(join(folder, file), 'utf8') : ''}`;
-  });
-}
-
 /**
  * `examples`: those of the site; `first`: the text that is shown at first; `engine`: the folder with the engine's
  * files, which are copied; none: the page says that there is none.
@@ -67,7 +58,8 @@ export async function buildPlayground({ root, output, examples, first, engine })
     define: { WORDS: JSON.stringify(wordsOf(grammar)) },
   });
   const inputs = Object.keys(metafile.inputs).map((path) => join(here, path));
-  const notices = [...licenses(inputs), ...(engine ? [read('wasm/THIRD_PARTY.md')] : [])];
+  const packages = licensesOf(inputs).map(({ name, version, text }) => `${name} ${version}\n\n${text}\n`);
+  const notices = [...packages, ...(engine ? [read('wasm/THIRD_PARTY.md')] : [])];
   write('licenses.txt', notices.join('\n\n---\n\n'));
 
   write(

@@ -2,51 +2,21 @@
 // README.md says what is where.
 import { basicSetup } from 'codemirror';
 import { indentWithTab } from '@codemirror/commands';
-import { nextDiagnostic, previousDiagnostic, setDiagnostics } from '@codemirror/lint';
+import { nextDiagnostic, previousDiagnostic } from '@codemirror/lint';
 import { formatDocument } from '@codemirror/lsp-client';
 import { EditorState, Prec, StateEffect } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { Engine } from './engine-worker.js';
 import { Language, isScene, sceneLanguage } from './language.js';
 import { areMixed, fromFragment, isName, isProject, kMaxLink, toFragment } from './link.js';
+import { $, announce, element, endNotice, later, notify } from './page.js';
+import { Problems, offsetOf } from './problems.js';
+import { compile, startServiceWorker } from './startup.js';
 
-const $ = (id) => document.getElementById(id);
 const kStored = 'sdlc-playground'; // the project
 const kBefore = 'sdlc-playground-before'; // that which it has replaced
 const kDefaults = { width: 480, error: 5 };
 const kMaxFile = 5_000_000; // bytes; browsers keep about as much
-
-/** Calls `action` once, `ms` after the last call. */
-function later(ms, action) {
-  let timer;
-  return () => {
-    clearTimeout(timer);
-    timer = setTimeout(action, ms);
-  };
-}
-
-function element(tag, text, properties = {}) {
-  return Object.assign(document.createElement(tag), { textContent: text, ...properties });
-}
-
-let noticeStays; // at the next change of the text
-/** A sentence for everybody, with a button if there is an action: [label, function]. */
-function notify(text, action, stays = Boolean(action)) {
-  noticeStays = stays;
-  $('notice').textContent = text;
-  $('notice-box').hidden = text === '';
-  $('notice-action').hidden = !action;
-  if (text) announce(text);
-  if (!action) return;
-  $('notice-action').textContent = action[0];
-  $('notice-action').onclick = () => {
-    notify('');
-    action[1]();
-  };
-}
-function announce(text) {
-  $('announcement').textContent = text;
-}
 
 // The project
 
@@ -67,6 +37,12 @@ const project = {
     return changes;
   },
   show,
+  current: () => current,
+  view: () => view,
+  goTo(name, from, to) {
+    show(name);
+    goToRange(from, to);
+  },
 };
 const snapshot = () => ({
   files: Object.fromEntries(project.names().map((name) => [name, project.doc(name).toString()])),
@@ -78,16 +54,18 @@ const snapshot = () => ({
 const engine = new Engine(takeMessage);
 const language = new Language(project, {
   send: (message) => engine.post({ to: 'lsp', message }),
-  onFindings: takeFindings,
+  onFindings: (name, findings) => problems.take(name, findings),
   onBusy: (isBusy) => setWork({ isChecked: isBusy }),
 });
+
+const problems = new Problems(project);
 
 const commonExtensions = [
   Prec.high(
     keymap.of([
       { key: 'Shift-F8', run: previousDiagnostic },
       { key: 'F8', run: nextDiagnostic },
-      { key: 'Mod-.', run: focusFix },
+      { key: 'Mod-.', run: () => problems.focusFix() },
       { key: 'Mod-s', run: keepNow, preventDefault: true },
     ]),
   ),
@@ -118,13 +96,13 @@ function show(name) {
   view.setState(states.get(name));
   language.update(view, name);
   showFiles();
-  showFindings();
+  problems.show();
 }
 
 /** Replaces the project, without a way back. */
 function load(next) {
   states.clear();
-  findings.clear();
+  problems.clear();
   current = undefined;
   for (const [name, text] of Object.entries(next.files)) states.set(name, stateOf(name, text));
   main = next.main;
@@ -284,7 +262,7 @@ const sendCursor = later(100, () => {
 function hasChanged() {
   isOwn = true;
   isStopped = false;
-  if (!noticeStays) notify('');
+  endNotice();
   sendFilesSoon();
   keepSoon();
 }
@@ -305,20 +283,18 @@ function renderAgain() {
 function setWork(change) {
   const wasChecking = isChecking();
   Object.assign(work, change);
-  if (isChecking() && !wasChecking) showOldSoon();
-  if (!isChecking() && areOld) showOld(false);
+  if (isChecking() && !wasChecking) showCheckingSoon();
+  if (!isChecking() && isReady && problems.status) problems.status = null;
   const isBusy = work.isAwaited || work.isRunning;
   $('render').textContent = isBusy || !isStopped ? 'Stop' : 'Render';
   $('render').disabled = !isBusy && !isStopped;
 }
 
 const isChecking = () => work.isChecked || work.isAwaited;
-let areOld = false; // the findings that are shown, which is said
-function showOld(value) {
-  areOld = value;
-  showFindings();
-}
-const showOldSoon = later(400, () => showOld(isChecking())); // most checks are done before
+// Most checks are done before.
+const showCheckingSoon = later(400, () => {
+  if (isChecking()) problems.status = 'Checking…';
+});
 
 function stopOrRender() {
   isStopped = !isStopped;
@@ -334,7 +310,6 @@ function stopOrRender() {
 function takeMessage(message) {
   if (message.from === 'ready') {
     isReady = true;
-    checks = 'known';
     language.connect();
     sendProject();
     for (const kept of Object.values(pageState)) engine.post({ to: 'preview', message: kept });
@@ -356,8 +331,7 @@ function takeFailure({ kind, text }) {
   for (const take of conversions.values()) take({ failure: text });
   conversions.clear();
   if (kind === 'absent') {
-    checks = 'absent';
-    showFindings();
+    problems.status = 'No checks';
     return notify(`There are no pictures and no checks here: ${text}.`, null, true);
   }
   if (!isReady) return notify(`The engine does not start: ${text}`, ['Try again', restartEngine]);
@@ -389,7 +363,7 @@ function takePreview(message) {
   }
   if (message.type === 'scene') {
     setWork({ isAwaited: false });
-    takeRenderFindings(message.findings);
+    problems.takeOfScene(message.findings);
   }
   if (message.type === 'progress') setWork({ isRunning: message.is_running && !isStopped });
   if (message.type === 'failure') setWork({ isRunning: false });
@@ -429,117 +403,10 @@ function goTo({ path, line, column }) {
   goToRange(offsetOf(view.state.doc, { line, column }));
   if (!isShown('text')) notify(`The cursor is at ${path}:${line}:${column}.`, ['Show the text', () => showSide('text')]);
 }
-function offsetOf(doc, { line, column }) {
-  const { from, text } = doc.line(Math.min(line, doc.lines));
-  return from + [...text].slice(0, column - 1).join('').length;
-}
 function goToRange(from, to = from) {
   view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
   view.focus();
 }
-
-// Findings
-
-const findings = new Map(); // lists by name of the file
-const severities = ['', 'error', 'warning', 'info', 'hint']; // by their numbers
-
-let renderFindings = []; // [name, finding]: errors of the scene as a whole, such as a missing camera
-let checks = 'loading'; // then 'known', or 'absent' without an engine
-
-function takeFindings(name, list) {
-  findings.set(name, list);
-  showFindings();
-}
-
-function takeRenderFindings(list) {
-  renderFindings = list
-    .filter(({ severity, place }) => severity === 'error' && place)
-    .map(({ code, message, help, place }) => [
-      place.path,
-      {
-        code,
-        message: [message, ...help].join('\n'),
-        severity: 1,
-        range: { start: { line: place.line - 1, character: place.column - 1 } },
-        at: () => Array(2).fill(offsetOf(project.doc(place.path), place)),
-        fixes: [],
-      },
-    ]);
-  showFindings();
-}
-
-/** [name, finding] of all files. What the language server has found, too, is shown once. */
-function allFindings() {
-  const checked = [...findings].flatMap(([name, list]) => list.map((finding) => [name, finding]));
-  const known = new Set(checked.map(([name, { code }]) => `${name} ${code}`));
-  const others = renderFindings.filter(([name, { code }]) => !known.has(`${name} ${code}`));
-  return [...checked, ...others].filter(([name]) => states.has(name));
-}
-
-function showFindings() {
-  const shown = allFindings();
-  const marks = (findings.get(current) ?? []).map((finding) => {
-    const [from, to] = finding.at();
-    const actions = finding.fixes.map(({ title, apply }) => ({ name: title, apply }));
-    return { from, to, severity: severities[finding.severity ?? 1], message: finding.message, actions };
-  });
-  view.dispatch(setDiagnostics(view.state, marks));
-  const count = `${shown.length || 'No'} problem${shown.length === 1 ? '' : 's'}`;
-  const title = { loading: 'Loading…', absent: 'No checks' }[checks] ?? (areOld ? 'Checking…' : count);
-  if (checks === 'known' && $('problems-title').textContent !== title) announce(title);
-  $('problems-title').textContent = title;
-  $('problem-list').classList.toggle('is-old', areOld);
-  const focused = [...$('problem-list').querySelectorAll('button')].indexOf(document.activeElement);
-  $('problem-list').replaceChildren(...shown.map(([name, finding]) => problemOf(name, finding)));
-  if (focused >= 0) ($('problem-list').querySelectorAll('button')[focused] ?? view).focus();
-}
-
-function problemOf(name, finding) {
-  const item = element('li', '', { className: severities[finding.severity ?? 1] });
-  const place = `${name}:${finding.range.start.line + 1}:${finding.range.start.character + 1}`;
-  const button = element('button', `${finding.code ? `${finding.code}: ` : ''}${finding.message} `, {
-    type: 'button',
-    className: 'finding',
-    onclick() {
-      show(name);
-      goToRange(...finding.at());
-    },
-  });
-  button.append(element('span', place));
-  item.append(button);
-  if (finding.fixes.length > 0) {
-    const fixes = element('div', '', { className: 'fixes' });
-    fixes.append(
-      ...finding.fixes.map(({ title, apply }) =>
-        element('button', title, {
-          type: 'button',
-          onclick() {
-            apply();
-            view.focus();
-          },
-        }),
-      ),
-    );
-    item.append(fixes);
-  }
-  return item;
-}
-
-/** To the first fix of the problem at the cursor, or of the next one. */
-function focusFix() {
-  const { head } = view.state.selection.main;
-  const lists = allFindings();
-  const isAhead = ([name, finding]) => name === current && finding.fixes.length > 0 && finding.at()[1] >= head;
-  const isOther = ([, finding]) => finding.fixes.length > 0;
-  const found = lists.findIndex(isAhead);
-  const index = found >= 0 ? found : lists.findIndex(isOther);
-  $('problem-list').children[index]?.querySelector('.fixes button').focus();
-  if (index < 0) announce('No problem has a fix');
-  return true;
-}
-$('problems').addEventListener('keydown', ({ key }) => {
-  if (key === 'Escape') view.focus();
-});
 
 // Files
 
@@ -564,7 +431,6 @@ function showFiles() {
 
 /** After files were added, renamed or removed. */
 function haveFilesChanged(name) {
-  for (const known of findings.keys()) if (!states.has(known)) findings.delete(known);
   current = undefined;
   language.client.workspace.reopen();
   show(name);
@@ -704,9 +570,11 @@ function takeSettings() {
 const actions = {
   'notice-close click': () => notify(''),
   'example pointerdown': () => (lastKey = null),
-  'example keydown': ({ key }) => {
-    lastKey = key;
-    if (key === 'Enter') openExample($('example').value);
+  'example keydown': (event) => {
+    lastKey = event.key;
+    if (lastKey !== 'Enter' || !$('example').value) return;
+    event.preventDefault();
+    openExample($('example').value);
   },
   'example change': () => isChosen() && openExample($('example').value),
   'example blur': () => ($('example').value = ''),
@@ -747,40 +615,6 @@ for (const type of ['dragover', 'dragleave', 'drop']) {
 
 // The start
 
-/**
- * The service worker keeps the page for use without a network, and lets it use threads: for that, the page is loaded
- * once more. Resolves when it serves, or if there is none.
- */
-async function startServiceWorker() {
-  const workers = navigator.serviceWorker;
-  if (!workers) return;
-  const offer = (worker) => {
-    notify('A new version of the playground is there.', ['Load it', () => worker.postMessage('replace')]);
-    workers.addEventListener('controllerchange', () => location.reload(), { once: true });
-  };
-  const register = async () => {
-    const registration = await workers.register('service-worker.js');
-    if (registration.waiting) offer(registration.waiting);
-    registration.addEventListener('updatefound', () => {
-      const { installing } = registration;
-      installing.addEventListener('statechange', () => {
-        if (installing.state === 'installed' && workers.controller) offer(installing);
-      });
-    });
-  };
-  const hasFailed = register().then(() => new Promise(() => {}), () => true);
-  const serves = new Promise((resolve) => workers.addEventListener('controllerchange', () => resolve(false), { once: true }));
-  if (!workers.controller && (await Promise.race([hasFailed, serves]))) return;
-  // Once, because a browser may not let it, and not while somebody writes. A reload would leave this page in the
-  // browser's cache, where "back" would find it.
-  const query = new URLSearchParams(location.search);
-  if (!crossOriginIsolated && !query.has('again') && !view) {
-    query.set('again', '');
-    location.replace(`?${query}${location.hash}`);
-    await new Promise(() => {});
-  }
-}
-
 async function startEngine() {
   const threads = crossOriginIsolated ? Math.min(16, navigator.hardwareConcurrency || 1) : 1;
   const name = document.body.dataset.engine.split(' ')[threads > 1 ? 1 : 0];
@@ -789,14 +623,6 @@ async function startEngine() {
   } catch (error) {
     notify(`The engine cannot be loaded: ${error.message}`, ['Try again', startEngine]);
   }
-}
-
-async function compile(name) {
-  const response = await fetch(name);
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-  // Not all servers know the type.
-  const isTyped = response.headers.get('content-type')?.startsWith('application/wasm');
-  return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
 }
 
 async function openLink() {
@@ -812,7 +638,7 @@ async function openLink() {
 async function start() {
   // Before any text is shown, because the page may be loaded once more. A slow network is not waited for.
   if (location.protocol !== 'file:') {
-    const isStarted = startServiceWorker().catch(() => {}); // the browser may refuse all that keeps something
+    const isStarted = startServiceWorker(() => view).catch(() => {}); // the browser may refuse all that keeps something
     await Promise.race([isStarted, new Promise((resolve) => setTimeout(resolve, 5000))]);
   }
   view = new EditorView({ parent: $('editor') });

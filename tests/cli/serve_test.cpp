@@ -117,6 +117,8 @@ TEST_F(ServedScenes, SayWhatIsWrong) {
   EXPECT_GE(wrong_value->errors, 1);
   const auto nowhere = serve(kScene, {.pose = lang::CameraPose{{0, 0, 1}, {0, 0, 1}}});
   EXPECT_THAT(nowhere->findings.at(0).text, HasSubstr("error[E207]")) << "no direction";
+  EXPECT_EQ(nowhere->findings[0].code, "E207");
+  EXPECT_THAT(nowhere->findings[0].text, HasSubstr(nowhere->findings[0].message));
   std::filesystem::remove(folder_ / "a.scene");
   ServeOptions missing;
   missing.scene.file = (folder_ / "a.scene").string();

@@ -270,6 +270,33 @@ function tests(name, executablePath, args, isReal) {
     await close();
   });
 
+  test('arrows choose in the closed list of examples, and Enter opens', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    await title(page, 'No problems');
+    await page.focus('#example');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('ArrowDown');
+    const chosen = await page.$eval('#example', (list) => list.selectedOptions[0].text);
+    assert.notEqual(chosen, 'choose');
+    assert.equal(await textOf(page), ball);
+    await page.keyboard.press('Enter');
+    await notice(page, `${chosen}.scene is open`);
+    await close();
+  });
+
+  test('an error of the scene as a whole is a problem, too', async () => {
+    const { page, close } = await open({ start: project(ball.replace(/^camera.*$/m, '')) });
+    await title(page, '1 problem');
+    assert.match(await problems(page), /E213: the scene has no camera[^]*add `camera[^]*main\.scene:1:1/);
+    await paste(page, ball.replace('radius: size', 'radious: size'));
+    await page.waitForFunction("/^E104[^]*:8:36/.test(document.getElementById('problem-list').innerText)");
+    await title(page, '1 problem');
+    await paste(page, ball);
+    await title(page, 'No problems');
+    await finishedPicture(page);
+    await close();
+  });
+
   test('an example with imports, its tabs, and a click that leads to a line', async () => {
     const { page, close } = await open({ start: project(ball) });
     await finishedPicture(page);
@@ -425,6 +452,11 @@ function tests(name, executablePath, args, isReal) {
     await page.keyboard.type('\nsphere { center: (0, 0, 0), radius: 1 }');
     await submit('#change-file', 'parts/balls.scene');
     await title(page, 'No problems');
+    await page.focus('.cm-content');
+    await press(page, 'z', 'Control');
+    assert.equal(await textOf(page), 'scene 1\n', 'a file that was renamed can be undone');
+    await press(page, 'y', 'Control');
+    assert.match(await textOf(page), /sphere/);
     await page.click('#change-file');
     await page.click('#file-delete');
     await title(page, '1 problem');
@@ -680,6 +712,7 @@ function tests(name, executablePath, args, isReal) {
           (part) => document.getElementById('problem-list').innerText.includes(part), {}, text);
       await code('E301');
       await paste(page, `scene 1\nfor i in range(1000000000) { if i < 0 { ${sphere('i')} } }\n`);
+      await title(page, 'Checking…');
       await code('E304');
       await paste(page, ball);
       await title(page, 'No problems');

@@ -70,6 +70,7 @@ class Files {
   /** A file was written, or is gone. */
   async reload(uri) {
     const name = nameOf(uri);
+    await this.#reading?.catch(() => {}); // which may have seen the file as it was
     const content = await vscode.workspace.fs.readFile(uri).then((bytes) => bytes, () => null);
     if (content) this.#contents.set(name, content);
     else this.#contents.delete(name);
