@@ -90,7 +90,6 @@ test('changes of a text that have waited are checked once', async (t) => {
   worker.post({ to: 'changes', files: { 'disk/a b/parts.scene': 'scene 1\nlet size = 1\n' } });
   await initialize(worker);
   open(worker, kScene);
-  await worker.findings();
   let count = 0;
   worker.see(({ message }) => message?.method === 'textDocument/publishDiagnostics' && ++count < 0);
   const last = worker.see(({ message }) => JSON.stringify(message).includes('lenght'));
