@@ -17,6 +17,11 @@ writeFileSync(join(folder, 'worker.mjs'), `
 import { parentPort } from 'node:worker_threads';
 globalThis.self = globalThis;
 globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
+// A port of Node takes up to a thousand of its own messages before those of others.
+globalThis.MessageChannel = class {
+  port1 = { postMessage: () => setImmediate(() => this.port2.onmessage()) };
+  port2 = {};
+};
 await import('./engine.mjs');
 parentPort.on('message', (data) => self.onmessage({ data }));
 `);
