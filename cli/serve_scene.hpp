@@ -47,7 +47,7 @@ struct ServedFinding {
   std::string_view code;
   std::string message;
   std::vector<std::string> help;
-  std::string text;  ///< all of it with its excerpt, as `sdlc lint` prints it
+  std::string text;  ///< the whole finding with its excerpt, as `sdlc lint` prints it
   lang::Location where;
 };
 

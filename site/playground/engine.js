@@ -75,7 +75,11 @@ turns.port2.onmessage = () => {
     // A click is answered, and nothing rendered.
     if (isStopped) engine.changePreview({ stop: true });
     hasWork = step.hasWork && !isStopped;
-    for (const text of step.messages) show(outOfFolder(text));
+    for (const text of step.messages) {
+      const message = outOfFolder(text);
+      if (isStopped && message.type === 'progress') message.is_stopped = true;
+      show(message);
+    }
     if (step.picture) postMessage({ from: 'preview', message: step.picture }, [step.picture]);
   });
   takeTurn();

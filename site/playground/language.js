@@ -185,7 +185,7 @@ function sanitized(html) {
 }
 
 /** A page has no flags. */
-const withoutFlags = (message) => message.replace(/(`--limit \w+=N`) allows more/, 'the program allows more with $1');
+export const withoutFlags = (message) => message.replace(/(`--limit \w+=N`) allows more/, 'the program allows more with $1');
 
 /**
  * The client for `project` (names(), doc(name), change(name, update), show(name)). `send(message)` gives a message to
@@ -199,6 +199,7 @@ export class Language {
   #colorTimer = 0;
 
   constructor(project, { send, onFindings, onBusy }) {
+    this.project = project;
     this.onFindings = onFindings;
     this.onBusy = onBusy;
     this.transport = {
@@ -276,7 +277,8 @@ export class Language {
     const name = nameOf(uri);
     const file = client.workspace.getFile(uri);
     if (!name || (file && version != null && version !== file.version)) return;
-    const { doc } = file ?? { doc: Text.empty };
+    const isOurs = this.project.names().includes(name); // also a data file, which is not open
+    const doc = file?.doc ?? (isOurs ? this.project.doc(name) : Text.empty);
     // Places are followed through later changes.
     this.#mappings.get(uri)?.destroy();
     const mapping = client.workspaceMapping();
@@ -292,7 +294,7 @@ export class Language {
       fixes: [],
     }));
     this.onFindings(name, findings);
-    if (version != null) this.onBusy(false);
+    if (version != null && file?.view) this.onBusy(false);
     if (!file || findings.length === 0) return;
     await new Promise((resolve) => setTimeout(resolve, 100)); // the next key may come
     if (this.#mappings.get(uri) !== mapping) return;

@@ -1,4 +1,4 @@
-// Elements of the page, and what is said to everybody.
+// Elements of the page, notices and announcements.
 
 export const $ = (id) => document.getElementById(id);
 
@@ -16,13 +16,15 @@ export function element(tag, text, properties = {}) {
 }
 
 let noticeStays;
-/** A sentence for everybody, with a button if there is an action: [label, function]. `stays`: at the next change of the
- * text. */
+/** Shows a notice, and announces it; with a button if there is an action: [label, function]. `stays`: a change of the
+ * text does not remove it. */
 export function notify(text, action, stays = Boolean(action)) {
+  const hadFocus = $('notice-box').contains(document.activeElement);
   noticeStays = stays;
   $('notice').textContent = text;
   $('notice-box').hidden = text === '';
   $('notice-action').hidden = !action;
+  if (hadFocus && !text) document.querySelector('.cm-content').focus();
   if (text) announce(text);
   if (!action) return;
   $('notice-action').textContent = action[0];
@@ -39,3 +41,8 @@ export function announce(text) {
 export function endNotice() {
   if (!noticeStays) notify('');
 }
+
+// Above the problems, so that their fixes can be reached.
+new ResizeObserver(() => {
+  $('notice-box').style.bottom = `${$('problems').offsetHeight + 8}px`;
+}).observe($('problems'));

@@ -55,7 +55,7 @@ const engine = new Engine(takeMessage);
 const language = new Language(project, {
   send: (message) => engine.post({ to: 'lsp', message }),
   onFindings: (name, findings) => problems.take(name, findings),
-  onBusy: (isBusy) => setWork({ isChecked: isBusy }),
+  onBusy: (isBusy) => setWork({ isChecking: isBusy && isReady }),
 });
 
 const problems = new Problems(project);
@@ -219,9 +219,14 @@ const pageState = {}; // its last messages `view` and `visible`, for a new worke
 let isStopped = false; // by the user or after a failure, until the next change
 let isReady = false;
 let hasEnded = false; // the engine has, because it failed without a picture, too
-// By the language server; the next picture; a render.
-const work = { isChecked: false, isAwaited: false, isRunning: false };
-let sent; // the last {files, main}
+const work = {
+  isChecking: false, // the language server
+  isCompiling: false, // what is rendered next
+  isRendering: false,
+};
+const kNoWork = { isChecking: false, isCompiling: false, isRendering: false };
+let sent; // the last {files, main}, as JSON
+let compiled; // that of the last scene
 
 const settingsArguments = () => [
   ...(settings.width ? [`--width=${settings.width}`] : []),
@@ -237,13 +242,13 @@ function cleaned({ width, error }) {
   };
 }
 
-/** `isAgain`: a picture of the same files is wanted, too. */
-function sendFiles(isAgain = true) {
+/** `isForced`: the engine compiles unchanged files, too. */
+function sendFiles(isForced = true) {
   if (hasEnded) return restartEngine();
   const { files } = snapshot();
-  const isSame = JSON.stringify(sent) === JSON.stringify({ files, main });
-  sent = { files, main };
-  if (isAgain || !isSame) setWork({ isAwaited: isReady && !isStopped });
+  const next = JSON.stringify({ files, main });
+  if (isForced || sent !== next) setWork({ isCompiling: isReady && !isStopped });
+  sent = next;
   engine.post({ to: 'files', files, main, render: !isStopped });
 }
 function sendProject(chosen = choices) {
@@ -267,10 +272,18 @@ function hasChanged() {
   keepSoon();
 }
 
+/** `status`: what is said in place of problems, which nobody knows now. */
+function forgetEngine(status) {
+  isReady = false;
+  setWork(kNoWork);
+  problems.takeOfScene([]);
+  problems.status = status;
+}
+
 /** It gets the project when it is ready. */
 function restartEngine() {
-  isReady = hasEnded = false;
-  setWork({ isChecked: false, isAwaited: false, isRunning: false });
+  forgetEngine('Loading…');
+  hasEnded = false;
   engine.restart();
 }
 
@@ -281,25 +294,26 @@ function renderAgain() {
 }
 
 function setWork(change) {
-  const wasChecking = isChecking();
+  const hadChecks = hasChecks();
   Object.assign(work, change);
-  if (isChecking() && !wasChecking) showCheckingSoon();
-  if (!isChecking() && isReady && problems.status) problems.status = null;
-  const isBusy = work.isAwaited || work.isRunning;
+  if (hasChecks() && !hadChecks) showCheckingSoon();
+  if (!hasChecks() && isReady && problems.status) problems.status = null;
+  const isBusy = work.isCompiling || work.isRendering;
   $('render').textContent = isBusy || !isStopped ? 'Stop' : 'Render';
   $('render').disabled = !isBusy && !isStopped;
 }
 
-const isChecking = () => work.isChecked || work.isAwaited;
-// Most checks are done before.
+const hasChecks = () => work.isChecking || work.isCompiling;
+// Most checks take less.
 const showCheckingSoon = later(400, () => {
-  if (isChecking()) problems.status = 'Checking…';
+  if (hasChecks()) problems.status = 'Checking…';
 });
 
 function stopOrRender() {
   isStopped = !isStopped;
   if (!isStopped) return sendFiles();
-  setWork({ isAwaited: false, isRunning: false });
+  setWork({ isCompiling: false, isRendering: false });
+  if (sent !== compiled) problems.takeOfScene([]);
   announce('Stopped');
   engine.stop(() => {
     notify('The engine did not answer, and has been started again.');
@@ -311,9 +325,9 @@ function takeMessage(message) {
   if (message.from === 'ready') {
     isReady = true;
     language.connect();
+    language.update(view, current);
     sendProject();
     for (const kept of Object.values(pageState)) engine.post({ to: 'preview', message: kept });
-    language.update(view, current);
   } else if (message.from === 'lsp') {
     language.receive(message.message);
   } else if (message.from === 'preview') {
@@ -327,18 +341,15 @@ function takeMessage(message) {
 }
 
 function takeFailure({ kind, text }) {
-  setWork({ isChecked: false, isAwaited: false, isRunning: false });
+  const wasReady = isReady;
+  forgetEngine('No checks');
   for (const take of conversions.values()) take({ failure: text });
   conversions.clear();
-  if (kind === 'absent') {
-    problems.status = 'No checks';
-    return notify(`There are no pictures and no checks here: ${text}.`, null, true);
-  }
-  if (!isReady) return notify(`The engine does not start: ${text}`, ['Try again', restartEngine]);
+  if (kind === 'absent') return notify(`There are no pictures and no checks here: ${text}.`, null, true);
+  if (!wasReady) return notify(`The engine does not start: ${text}`, ['Try again', restartEngine]);
   const what = kind === 'memory' ? 'The memory of the browser is too small for this scene' : `The engine failed (${text})`;
   if (isStopped) {
     // It was not the picture.
-    isReady = false;
     hasEnded = true;
     return notify(`${what}, also without a picture. The text is kept. It is started again with the next change.`);
   }
@@ -358,15 +369,16 @@ function takePreview(message) {
       const { error } = header;
       announce(`Picture finished${error ? `, error ${percent(error.value)}, 95 % interval ${percent(error.from)} to ${percent(error.to)}` : ''}`);
     }
-    if (header.is_finished) setWork({ isRunning: false });
+    if (header.is_finished) setWork({ isRendering: false });
     return picture?.postMessage(message, [message]);
   }
   if (message.type === 'scene') {
-    setWork({ isAwaited: false });
+    compiled = sent;
     problems.takeOfScene(message.findings);
+    setWork({ isCompiling: false });
   }
-  if (message.type === 'progress') setWork({ isRunning: message.is_running && !isStopped });
-  if (message.type === 'failure') setWork({ isRunning: false });
+  if (message.type === 'progress') setWork({ isRendering: message.is_running && !isStopped });
+  if (message.type === 'failure') setWork({ isRendering: false });
   picture?.postMessage(message);
 }
 
@@ -401,7 +413,7 @@ function goTo({ path, line, column }) {
   if (!states.has(path)) return;
   show(path);
   goToRange(offsetOf(view.state.doc, { line, column }));
-  if (!isShown('text')) notify(`The cursor is at ${path}:${line}:${column}.`, ['Show the text', () => showSide('text')]);
+  if (!isShown('text')) notify(`The cursor is at ${path}:${line}:${column}.`, ['Show the text', showText], false);
 }
 function goToRange(from, to = from) {
   view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
@@ -512,9 +524,8 @@ async function takeFile(file) {
     addFile(name, text);
     return notify(`${name} is added.`);
   }
+  replace({ ...snapshot(), files: { ...snapshot().files, [name]: text } }, `${name} is replaced.`);
   show(name);
-  view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } });
-  notify(`${name} is replaced. Undo brings the text before.`);
 }
 const takeFiles = async (files) => {
   for (const file of files) await takeFile(file);
@@ -522,9 +533,7 @@ const takeFiles = async (files) => {
 
 // Controls
 
-let lastKey; // in the list of examples
-/** Arrows and letters in a closed list only choose what Enter opens. */
-const isChosen = () => lastKey == null || ['Enter', ' ', 'Tab'].includes(lastKey);
+let hasKey = false; // a key is changing the closed list of examples: Enter opens what it selects
 
 async function openExample(value) {
   if (!value) return;
@@ -549,7 +558,12 @@ async function openExample(value) {
 }
 
 const isShown = (id) => $(id).getClientRects().length > 0;
+function showText() {
+  showSide('text');
+  view.focus();
+}
 function showSide(side) {
+  endNotice();
   document.body.classList.toggle('shows-picture', side === 'picture');
   for (const each of ['text', 'picture']) $(`show-${each}`).setAttribute('aria-pressed', String(each === side));
 }
@@ -569,14 +583,14 @@ function takeSettings() {
 
 const actions = {
   'notice-close click': () => notify(''),
-  'example pointerdown': () => (lastKey = null),
   'example keydown': (event) => {
-    lastKey = event.key;
-    if (lastKey !== 'Enter' || !$('example').value) return;
+    hasKey = event.key !== 'Enter';
+    setTimeout(() => (hasKey = false));
+    if (event.key !== 'Enter' || !$('example').value) return;
     event.preventDefault();
     openExample($('example').value);
   },
-  'example change': () => isChosen() && openExample($('example').value),
+  'example change': () => !hasKey && openExample($('example').value),
   'example blur': () => ($('example').value = ''),
   'open click': () => $('chosen').click(),
   'chosen change': () => takeFiles($('chosen').files).then(() => ($('chosen').value = '')),
@@ -616,11 +630,13 @@ for (const type of ['dragover', 'dragleave', 'drop']) {
 // The start
 
 async function startEngine() {
+  problems.status = 'Loading…';
   const threads = crossOriginIsolated ? Math.min(16, navigator.hardwareConcurrency || 1) : 1;
   const name = document.body.dataset.engine.split(' ')[threads > 1 ? 1 : 0];
   try {
     engine.start({ module: name ? await compile(name) : null, threads });
   } catch (error) {
+    problems.status = 'No checks';
     notify(`The engine cannot be loaded: ${error.message}`, ['Try again', startEngine]);
   }
 }
@@ -661,6 +677,7 @@ async function start() {
   });
   $('picture').src = $('picture').dataset.src;
   if (location.protocol !== 'file:') return startEngine();
+  problems.status = 'No checks';
   notify(`Pages that are opened from a folder cannot compute: there are no pictures and no checks. A server of the folder
     is enough, such as “python3 -m http.server”.`, null, true);
 }

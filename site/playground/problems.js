@@ -1,5 +1,6 @@
 // The problems of all files: their list below the text, their marks in it, and their fixes.
 import { setDiagnostics } from '@codemirror/lint';
+import { withoutFlags } from './language.js';
 import { $, announce, element } from './page.js';
 
 const severities = ['', 'error', 'warning', 'info', 'hint']; // by their numbers
@@ -10,12 +11,12 @@ export function offsetOf(doc, { line, column }) {
   return from + [...text].slice(0, column - 1).join('').length;
 }
 
-const kHasFix = ([, finding]) => finding.fixes.length > 0;
+const hasFix = ([, finding]) => finding.fixes.length > 0;
 
 /** `project` has names(), doc(name), current(), view() and goTo(name, from, to). */
 export class Problems {
   #project;
-  #status = 'Loading…';
+  #status = $('problems-title').textContent;
   #checked = new Map(); // lists of findings of the language server by name of the file
   #ofScene = []; // [name, finding]: errors of the scene as a whole, such as a missing camera
 
@@ -26,7 +27,7 @@ export class Problems {
     });
   }
 
-  /** Words in place of the number of problems, or null. While it is 'Checking…', the list is that before. */
+  /** Words in place of the number of problems, or null. The list is grey while there is a status. */
   get status() {
     return this.#status;
   }
@@ -40,22 +41,23 @@ export class Problems {
     this.#ofScene = [];
   }
 
-  /** Those of Language. */
+  /** Takes the findings of the language server for a file. */
   take(name, findings) {
     this.#checked.set(name, findings);
+    this.#ofScene = this.#withoutKnown(this.#ofScene);
     this.show();
   }
 
-  /** Those of the message `scene`. The language server has found most of them, too. */
+  /** Takes the findings of the message `scene`. The language server has found most of them, too. */
   takeOfScene(findings) {
-    const errors = findings.filter(({ severity, place }) => severity === 'error' && place);
+    const names = new Set(this.#project.names());
+    const errors = findings.filter(({ severity, place }) => severity === 'error' && names.has(place?.path));
     this.#ofScene = this.#withoutKnown(
       errors.map(({ code, message, help, place }) => [
         place.path,
         {
           code,
-          message: [message, ...help].join('\n'),
-          range: { start: { line: place.line - 1, character: place.column - 1 } },
+          message: withoutFlags([message, ...help].join('\n')),
           at: () => Array(2).fill(offsetOf(this.#project.doc(place.path), place)),
           fixes: [],
         },
@@ -65,20 +67,22 @@ export class Problems {
   }
 
   #withoutKnown(findings) {
-    return findings.filter(([name, { code }]) => !this.#checked.get(name)?.some((known) => known.code === code));
+    const isSame = (one, other) => one.code === other.code && one.at()[0] === other.at()[0];
+    return findings.filter(([name, finding]) => !this.#checked.get(name)?.some((known) => isSame(known, finding)));
   }
 
-  /** [name, finding] of all files. */
+  /** All problems as [name of the file, finding]. */
   #all() {
     const checked = [...this.#checked].flatMap(([name, list]) => list.map((finding) => [name, finding]));
     const names = new Set(this.#project.names());
-    return [...checked, ...this.#withoutKnown(this.#ofScene)].filter(([name]) => names.has(name));
+    return [...checked, ...this.#ofScene].filter(([name]) => names.has(name));
   }
 
   show() {
     const all = this.#all();
     const view = this.#project.view();
-    const marks = (this.#checked.get(this.#project.current()) ?? []).map((finding) => {
+    const shown = all.filter(([name]) => name === this.#project.current());
+    const marks = shown.map(([, finding]) => {
       const [from, to] = finding.at();
       const actions = finding.fixes.map(({ title, apply }) => ({ name: title, apply }));
       return { from, to, severity: severities[finding.severity ?? 1], message: finding.message, actions };
@@ -96,16 +100,22 @@ export class Problems {
 
   #item(name, finding) {
     const item = element('li', '', { className: severities[finding.severity ?? 1] });
-    const place = `${name}:${finding.range.start.line + 1}:${finding.range.start.character + 1}`;
     const button = element('button', `${finding.code ? `${finding.code}: ` : ''}${finding.message} `, {
       type: 'button',
       className: 'finding',
       onclick: () => this.#project.goTo(name, ...finding.at()),
     });
-    button.append(element('span', place));
+    button.append(element('span', this.#placeOf(name, finding)));
     item.append(button);
     if (finding.fixes.length > 0) item.append(this.#fixes(finding));
     return item;
+  }
+
+  /** Columns count characters. */
+  #placeOf(name, finding) {
+    const [offset] = finding.at();
+    const { number, from, text } = this.#project.doc(name).lineAt(offset);
+    return `${name}:${number}:${[...text.slice(0, offset - from)].length + 1}`;
   }
 
   #fixes({ fixes }) {
@@ -127,8 +137,8 @@ export class Problems {
     const { head } = this.#project.view().state.selection.main;
     const all = this.#all();
     const isAhead = ([name, finding]) => name === current && finding.at()[1] >= head;
-    const ahead = all.findIndex((each) => kHasFix(each) && isAhead(each));
-    const index = ahead >= 0 ? ahead : all.findIndex(kHasFix);
+    const ahead = all.findIndex((each) => hasFix(each) && isAhead(each));
+    const index = ahead >= 0 ? ahead : all.findIndex(hasFix);
     $('problem-list').children[index]?.querySelector('.fixes button').focus();
     if (index < 0) announce('No problem has a fix');
     return true;

@@ -229,8 +229,11 @@ export class Workbench {
 
   /** Saves the active file, and waits until its text on the disk satisfies a condition. */
   async saved(name, what, condition) {
-    await this.press('Control+s');
-    return until(`${name}: ${what}`, () => condition(this.read(name)) && this.read(name));
+    return until(`${name}: ${what}`, async () => {
+      // Also a change that comes after the first time.
+      if (await this.page.$('.tab.active.dirty')) await this.press('Control+s');
+      return condition(this.read(name)) && this.read(name);
+    });
   }
 
   /** Closes whatever a failed check left open. */

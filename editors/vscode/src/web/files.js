@@ -70,7 +70,7 @@ class Files {
   /** A file was written, or is gone. */
   async reload(uri) {
     const name = nameOf(uri);
-    await this.#reading?.catch(() => {}); // which may have seen the file as it was
+    await this.#reading?.catch(() => {}); // it may have read the content before, and replaces #contents
     const content = await vscode.workspace.fs.readFile(uri).then((bytes) => bytes, () => null);
     if (content) this.#contents.set(name, content);
     else this.#contents.delete(name);
