@@ -658,11 +658,13 @@ async function start() {
     await Promise.race([isStarted, new Promise((resolve) => setTimeout(resolve, 5000))]);
   }
   view = new EditorView({ parent: $('editor') });
-  const own = stored('sessionStorage', kStored) ?? stored('localStorage', kStored);
+  const kept = stored('sessionStorage', kStored); // of this tab
+  const own = kept ?? stored('localStorage', kStored);
   const first = { files: { 'main.scene': $('first-scene').content.textContent }, main: 'main.scene', settings: kDefaults };
   if (stored('localStorage', kBefore)) offerBefore();
-  // The address is older than what is kept if the page was left at once.
-  const linked = location.hash.slice(1) === own?.fragment ? null : await openLink();
+  // The address of a page that is loaded again may be older than what is kept.
+  const isLoadedAgain = kept && performance.getEntriesByType('navigation')[0].type === 'reload';
+  const linked = isLoadedAgain || location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
   isOwn = own?.isOwn ?? Boolean(own ?? linked);
   const example = new URLSearchParams(location.search).get('example');

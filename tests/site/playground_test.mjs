@@ -647,6 +647,20 @@ function tests(name, executablePath, args, isReal) {
     await first.close();
   });
 
+  test('a page that is loaded again has its newest text, however old its address is', async () => {
+    const { page, close } = await open({ start: project(ball) });
+    await title(page, 'No problems');
+    await page.waitForFunction('location.hash.length > 100');
+    await page.evaluate(() => { history.replaceState = () => {}; });
+    await goAfter(page, 'scene 1');
+    await page.keyboard.type(' // newest');
+    await page.waitForFunction("localStorage.getItem('sdlc-playground').includes('// newest')");
+    await page.reload();
+    await title(page, 'No problems');
+    assert.match(await textOf(page), /^scene 1 \/\/ newest/);
+    await close();
+  });
+
   test('back and forward go between links', async () => {
     const { page, close } = await open({ start: project(ball) });
     await finishedPicture(page); // while a page is loaded, a fragment replaces the one before
