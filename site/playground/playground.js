@@ -10,7 +10,7 @@ import { Engine } from './engine-worker.js';
 import { Language, isScene, sceneLanguage } from './language.js';
 import { areMixed, fromFragment, isName, isProject, kMaxLink, toFragment } from './link.js';
 import { $, announce, element, endNotice, later, notify } from './page.js';
-import { Problems, offsetOf } from './problems.js';
+import { Problems, offsetOf, placeOf } from './problems.js';
 import { compile, startServiceWorker } from './startup.js';
 
 const kStored = 'sdlc-playground'; // the project
@@ -219,12 +219,12 @@ const pageState = {}; // its last messages `view` and `visible`, for a new worke
 let isStopped = false; // by the user or after a failure, until the next change
 let isReady = false;
 let hasEnded = false; // the engine has, because it failed without a picture, too
-const work = {
+const kNoWork = {
   isChecking: false, // the language server
   isCompiling: false, // what is rendered next
   isRendering: false,
 };
-const kNoWork = { isChecking: false, isCompiling: false, isRendering: false };
+const work = { ...kNoWork };
 let sent; // the last {files, main}, as JSON
 let compiled; // that of the last scene
 
@@ -258,10 +258,8 @@ function sendProject(chosen = choices) {
 }
 const sendFilesSoon = later(100, () => sendFiles(false)); // after the findings, which are wanted first
 const sendCursor = later(100, () => {
-  const { head } = view.state.selection.main;
-  const line = view.state.doc.lineAt(head);
-  const column = [...line.text.slice(0, head - line.from)].length + 1;
-  engine.post({ to: 'cursor', path: current, line: line.number, column });
+  const { doc, selection } = view.state;
+  engine.post({ to: 'cursor', path: current, ...placeOf(doc, selection.main.head) });
 });
 
 function hasChanged() {
@@ -524,7 +522,8 @@ async function takeFile(file) {
     addFile(name, text);
     return notify(`${name} is added.`);
   }
-  replace({ ...snapshot(), files: { ...snapshot().files, [name]: text } }, `${name} is replaced.`);
+  const old = snapshot();
+  replace({ ...old, files: { ...old.files, [name]: text } }, `${name} is replaced.`);
   show(name);
 }
 const takeFiles = async (files) => {

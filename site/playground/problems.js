@@ -5,10 +5,16 @@ import { $, announce, element } from './page.js';
 
 const severities = ['', 'error', 'warning', 'info', 'hint']; // by their numbers
 
-/** The offset of a place whose `line` and `column` count from 1, the latter in characters. */
+/** The offset of a place: `line` and `column` count from 1, columns in characters. */
 export function offsetOf(doc, { line, column }) {
   const { from, text } = doc.line(Math.min(line, doc.lines));
   return from + [...text].slice(0, column - 1).join('').length;
+}
+
+/** The place of an offset. */
+export function placeOf(doc, offset) {
+  const { number, from, text } = doc.lineAt(offset);
+  return { line: number, column: [...text.slice(0, offset - from)].length + 1 };
 }
 
 const hasFix = ([, finding]) => finding.fixes.length > 0;
@@ -105,17 +111,11 @@ export class Problems {
       className: 'finding',
       onclick: () => this.#project.goTo(name, ...finding.at()),
     });
-    button.append(element('span', this.#placeOf(name, finding)));
+    const { line, column } = placeOf(this.#project.doc(name), finding.at()[0]);
+    button.append(element('span', `${name}:${line}:${column}`));
     item.append(button);
     if (finding.fixes.length > 0) item.append(this.#fixes(finding));
     return item;
-  }
-
-  /** Columns count characters. */
-  #placeOf(name, finding) {
-    const [offset] = finding.at();
-    const { number, from, text } = this.#project.doc(name).lineAt(offset);
-    return `${name}:${number}:${[...text.slice(0, offset - from)].length + 1}`;
   }
 
   #fixes({ fixes }) {
