@@ -8,6 +8,7 @@ namespace sdlc::cli {
 void ServePages::open(Viewer viewer) {
   Page& page = pages_[viewer];
   if (!scene_.empty()) send(viewer, scene_);
+  if (!progress_.empty()) send(viewer, progress_);
   if (!outline_.empty()) send(viewer, outline_);
   if (!failure_.empty()) send(viewer, failure_);
   offer(viewer, page);
@@ -34,6 +35,11 @@ void ServePages::set_visible(Viewer viewer, bool is_visible) {
 void ServePages::show_scene(std::string message) {
   scene_ = std::move(message);
   send_to_all(scene_);
+}
+
+void ServePages::show_progress(std::string message) {
+  progress_ = std::move(message);
+  send_to_all(progress_);
 }
 
 void ServePages::show_outline(std::string message) {

@@ -36,12 +36,11 @@ class ServePages {
   // What all pages show, also those that are opened later
 
   void show_scene(std::string message);
+  void show_progress(std::string message);
   void show_outline(std::string message);
   void show_failure(std::string message);
   void show_picture(std::shared_ptr<const ServedPicture> picture);
 
-  /// To those that are open now.
-  void send_to_all(const std::string& message);
   void send(Viewer viewer, const std::string& message);
 
   bool has_visible() const;
@@ -59,12 +58,13 @@ class ServePages {
     PictureView sent_view;
   };
 
+  void send_to_all(const std::string& message);
   /// Sends the picture to a page that lacks it and is ready for it: a slow one skips some.
   void offer(Viewer viewer, Page& page);
 
   Send send_;
   std::map<Viewer, Page> pages_;
-  std::string scene_, outline_, failure_;  // the last messages
+  std::string scene_, progress_, outline_, failure_;  // the last messages
   std::shared_ptr<const ServedPicture> picture_;
   std::uint64_t picture_number_ = 0;
 };

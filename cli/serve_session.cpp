@@ -132,6 +132,7 @@ void ServeSession::print_findings_of(const ServedScene& scene) {
 void ServeSession::publish_scene() {
   const ServedScene* const latest = latest_ ? latest_.get() : shown_.get();
   if (latest == nullptr) return;
+  progress_.clear();  // it follows, whether it has changed or not
   ServeChoices of_command = choices_;
   if (latest->animation && !of_command.frame) of_command.frame = latest->animation->first;
   std::string message =
@@ -154,7 +155,7 @@ void ServeSession::publish_progress() {
   std::string message = to_line(progress_json(render_.progress()));
   if (message == progress_) return;
   progress_ = message;
-  transport_.post([this, message = std::move(message)] { pages_.send_to_all(message); });
+  transport_.post([this, message = std::move(message)] { pages_.show_progress(message); });
 }
 
 void ServeSession::answer_pick(Viewer viewer, ServeMail::Pixel pixel) {

@@ -60,6 +60,7 @@ void Publisher::publish(const Checks::Result& result) {
   for (const auto& [file, findings] : known) affected.insert(file);
   known = findings_of(result);
   for (const auto& [file, findings] : known) affected.insert(file);
+  affected.insert(result.scene);
   Checked checked{.root = &result.scene};
   if (result.checked != nullptr) checked.version = result.checked->root().version();
   send(affected, checked);
@@ -122,27 +123,30 @@ void Publisher::send(const std::set<fs::path>& files, const Checked& checked) {
   for (const fs::path& file : files) {
     const std::string uri = uri_of_identity(file);
     Json findings = united(file);
+    std::optional<int> version;
+    const bool is_root = checked.root != nullptr && *checked.root == file;
+    if (has_versions_ && is_root && open_.contains(file)) version = checked.version;
     if (const auto sent = sent_.find(file); sent != sent_.end()) {
-      if (sent->second.uri == uri && sent->second.findings == findings) continue;
+      const bool is_known = sent->second.findings == findings;
+      const bool has_version = !version || sent->second.version == version;
+      if (sent->second.uri == uri && is_known && has_version) continue;
       // A link to the file was opened or closed: the editor takes both for different files.
       if (sent->second.uri != uri) send(sent->second.uri, Json::array(), std::nullopt);
-    } else if (findings.empty()) {
+    } else if (findings.empty() && !version) {
       continue;
     }
-    const bool is_open_root =
-        checked.root != nullptr && *checked.root == file && open_.contains(file);
-    send(uri, findings, is_open_root ? std::optional(checked.version) : std::nullopt);
-    if (findings.empty()) {
+    send(uri, findings, version);
+    if (findings.empty() && !version) {
       sent_.erase(file);
     } else {
-      sent_[file] = {.uri = uri, .findings = std::move(findings)};
+      sent_[file] = {.uri = uri, .findings = std::move(findings), .version = version};
     }
   }
 }
 
 void Publisher::send(const std::string& uri, const Json& findings, std::optional<int> version) {
   Json params{{"uri", uri}, {"diagnostics", findings}};
-  if (has_versions_ && version) params["version"] = *version;
+  if (version) params["version"] = *version;
   connection_.notify("textDocument/publishDiagnostics", std::move(params));
 }
 

@@ -18,7 +18,8 @@ namespace sdlc::lsp {
 
 /// Sends the findings of checks to the client, by file. An open file has the findings of the scene
 /// that it is checked in, any other file those of all scenes. A file whose findings did not change
-/// is not sent again. All functions may be called by every thread.
+/// is not sent again, except to clients that know versions: these drop findings of an older version.
+/// All functions may be called by every thread.
 class Publisher {
  public:
   /// An open file: how the client calls it, and the scene that it is checked in, if any.
@@ -48,7 +49,8 @@ class Publisher {
   /// The findings of a file that the client has, under this URI.
   struct Sent {
     std::string uri;
-    Json findings;  ///< null: unknown
+    Json findings;               ///< null: unknown
+    std::optional<int> version;  ///< of the text, if it was sent
   };
   /// The findings of one scene, by the identity of the file.
   using Findings = std::map<std::filesystem::path, Json>;
@@ -72,7 +74,7 @@ class Publisher {
   bool has_related_ = false, has_versions_ = false;
   std::map<std::filesystem::path, OpenText> open_;
   std::map<std::filesystem::path, Findings> scenes_;
-  std::map<std::filesystem::path, Sent> sent_;  // by identity; without those that are empty
+  std::map<std::filesystem::path, Sent> sent_;  // by identity; empty ones only with a version
   std::vector<std::string> config_errors_;      // shown last
 };
 

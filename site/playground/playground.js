@@ -373,7 +373,8 @@ function takePreview(message) {
   if (message.type === 'scene') {
     compiled = sent;
     problems.takeOfScene(message.findings);
-    setWork({ isCompiling: false });
+    // `progress` follows at once. A click on Stop between the two counts.
+    setWork({ isCompiling: false, isRendering: message.is_correct && !isStopped });
   }
   if (message.type === 'progress') setWork({ isRendering: message.is_running && !isStopped });
   if (message.type === 'failure') setWork({ isRendering: false });

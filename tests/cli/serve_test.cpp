@@ -1,5 +1,6 @@
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -11,6 +12,7 @@
 #include "cli/serve_choices.hpp"
 #include "cli/serve_messages.hpp"
 #include "cli/serve_outline.hpp"
+#include "cli/serve_pages.hpp"
 #include "cli/serve_picture.hpp"
 #include "cli/serve_scene.hpp"
 #include "lang/workspace/workspace.hpp"
@@ -264,6 +266,20 @@ TEST(ServedPicture, TellsTheValuesOfPixels) {
   for (const auto& [x, y] : {std::pair(2, 0), {0, 1}, {-1, 0}, {0, -1}}) {
     EXPECT_FALSE(pixel_json(picture, x, y).contains("radiance"));
   }
+}
+
+TEST(ServePages, TellAPageThatIsOpenedLaterWhatTheOthersKnow) {
+  std::map<ServePages::Viewer, std::vector<std::string>> sent;
+  ServePages pages([&](ServePages::Viewer viewer, const std::string& message,
+                       WebServer::MessageType) { sent[viewer].push_back(message); });
+  pages.open(1);
+  pages.show_scene("scene 1");
+  pages.show_progress("progress 1");
+  pages.show_outline("outline 1");
+  pages.show_progress("progress 2");
+  pages.open(2);
+  EXPECT_THAT(sent[1], ElementsAre("scene 1", "progress 1", "outline 1", "progress 2"));
+  EXPECT_THAT(sent[2], ElementsAre("scene 1", "progress 2", "outline 1"));
 }
 
 }  // namespace

@@ -118,8 +118,10 @@ function connect(socket, program, received) {
       files = message.files;
       const wasMain = main;
       main = message.main;
+      // `serve` does not answer to a text that the scene does not read; the engine does.
+      const areOthers = removed.length > 0 || changed.some(([name]) => name !== main);
       if (!message.render) stop();
-      else if (!serve || main !== wasMain) render();
+      else if (!serve || main !== wasMain || areOthers) render();
       else changed.forEach(([name, text]) => edit(name, text));
     },
     settings(message) {

@@ -529,9 +529,19 @@ function tests(name, executablePath, args, isReal) {
 
   test('stop ends a render; a change of the settings or of a param starts one', async () => {
     const endless = project(ball.replace('4096', '16777216'), { settings: { width: 300 } });
-    const { page, close } = await open({ start: endless });
+    const { page, close } = await open({ start: endless, prepare: () => {
+      globalThis.states = [];  // of the button: whether it can be clicked
+      addEventListener('DOMContentLoaded', () => {
+        const button = document.getElementById('render');
+        if (!button) return; // of the picture
+        new MutationObserver(() => states.push(!button.disabled)).observe(button, { attributes: true });
+      });
+    } });
     await label(page, 'Stop');
-    await page.waitForFunction("!document.getElementById('render').disabled");
+    const frameOfStop = await pictureOf(page);
+    while (!await frameOfStop.evaluate('Boolean(picture)')) await pause();
+    const states = await page.evaluate('states');
+    assert.ok(states.at(-1) && !states.slice(states.indexOf(true)).includes(false), 'from the change on, without a gap');
     await page.click('#render');
     await label(page, 'Render');
     await set(page, '#width', '2.4');
