@@ -7,14 +7,14 @@ import { formatDocument } from '@codemirror/lsp-client';
 import { EditorState, Prec, StateEffect } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { Engine } from './engine-worker.js';
+import { FileDialog } from './file-dialog.js';
+import { Keeping, storeBefore, storedBefore, storedOfBrowser, storedOfTab } from './keeping.js';
 import { Language, isScene, sceneLanguage } from './language.js';
-import { areMixed, fromFragment, isName, isProject, kMaxLink, toFragment } from './link.js';
+import { areMixed, fromFragment, isName } from './link.js';
 import { $, announce, element, endNotice, later, notify } from './page.js';
 import { Problems, offsetOf, placeOf } from './problems.js';
 import { compile, startServiceWorker } from './startup.js';
 
-const kStored = 'sdlc-playground'; // the project
-const kBefore = 'sdlc-playground-before'; // that which it has replaced
 const kDefaults = { width: 480, error: 5 };
 const kMaxFile = 5_000_000; // bytes; browsers keep about as much
 
@@ -51,6 +51,7 @@ const snapshot = () => ({
   choices,
 });
 
+const keeping = new Keeping(snapshot);
 const engine = new Engine(takeMessage);
 const language = new Language(project, {
   send: (message) => engine.post({ to: 'lsp', message }),
@@ -66,7 +67,7 @@ const commonExtensions = [
       { key: 'Shift-F8', run: previousDiagnostic },
       { key: 'F8', run: nextDiagnostic },
       { key: 'Mod-.', run: () => problems.focusFix() },
-      { key: 'Mod-s', run: keepNow, preventDefault: true },
+      { key: 'Mod-s', run: () => keeping.keepNow(), preventDefault: true },
     ]),
   ),
   basicSetup,
@@ -113,21 +114,19 @@ function load(next) {
   language.client.workspace.reopen();
   show(main);
   sendProject({ params: { ...forgotten, ...choices.params }, camera: null, frame: null, pose: null, ...choices });
-  keep();
+  keeping.keep();
 }
-
-let isOwn = false; // whether the text is nowhere else; an example that nobody changed is
 
 /** Replaces the project; the notice has the way back. The text before is kept if it is the user's. */
 function replace(next, text, isNextOwn = true) {
   const old = snapshot();
-  const wasOwn = isOwn;
+  const wasOwn = keeping.isOwn;
   isStopped = false;
   load(next);
   if (JSON.stringify(old.files) === JSON.stringify(next.files)) return;
-  isOwn = isNextOwn;
-  storeNow(); // makes room
-  const isKept = !wasOwn || store('localStorage', kBefore, old);
+  keeping.isOwn = isNextOwn;
+  keeping.storeNow(); // makes room
+  const isKept = !wasOwn || storeBefore(old);
   notify(isKept ? text : `${text} This browser has no room for the text before: only this button leads to it.`, [
     'Back to the text before',
     () => replace(old, 'This is the text before.', wasOwn),
@@ -137,79 +136,6 @@ function replace(next, text, isNextOwn = true) {
 
 function offerBefore() {
   $('example').append(element('option', 'the text before', { value: 'before' }));
-}
-
-// Keeping
-
-function store(storage, key, value) {
-  try {
-    globalThis[storage].setItem(key, JSON.stringify(value));
-    return true;
-  } catch {
-    return false; // there is no room, or the browser keeps nothing
-  }
-}
-function stored(storage, key) {
-  try {
-    const value = JSON.parse(globalThis[storage].getItem(key));
-    return isProject(value) ? value : null;
-  } catch {
-    return null;
-  }
-}
-
-let keeping; // the promise of the last keep()
-let fragment = ''; // the last one that was put into the address
-let isDirty = false; // whether anything has changed since it was stored
-let hasWarned = false; // that the text is lost when the page is left
-function storeNow() {
-  isDirty = false;
-  const now = { ...snapshot(), fragment, isOwn };
-  store('sessionStorage', kStored, now); // of this tab
-  return store('localStorage', kStored, now);
-}
-/** Puts the project into the browser's storage and the address. Returns the address, or null if it is too long. */
-function keep() {
-  const mine = toFragment(snapshot()).then((made) => {
-    if (mine !== keeping) return keeping; // it has a later text
-    const isTooLong = made.length > kMaxLink;
-    fragment = isTooLong ? '' : made;
-    const isLost = !storeNow() && isTooLong;
-    if (isLost && !hasWarned) notify('This browser does not keep the text, which is too long for a link: copy it.', null, true);
-    hasWarned = isLost;
-    history.replaceState(null, '', isTooLong ? location.pathname : `#${fragment}`);
-    return isTooLong ? null : location.href;
-  });
-  keeping = mine;
-  return mine;
-}
-const keepLater = later(400, keep);
-function keepSoon() {
-  isDirty = true;
-  keepLater();
-}
-addEventListener('pagehide', () => isDirty && storeNow());
-
-function keepNow() {
-  const isKept = storeNow();
-  keep();
-  notify(isKept ? 'The text is kept in this browser.' : 'This browser keeps nothing: copy the link or the text.');
-  return true;
-}
-
-async function copyLink() {
-  const link = await keep();
-  if (!link) {
-    const length = (await toFragment(snapshot())).length.toLocaleString('en');
-    return notify(`The link would have ${length} characters, more than many programs pass on. The text is kept in this
-      browser; to share it, send its files. Data files take most of a link: smaller ones help.`);
-  }
-  try {
-    await navigator.clipboard.writeText(link);
-    notify('The link is copied. It has the text, the settings and the choices.');
-  } catch {
-    notify('The browser refuses to copy. The address of this page is the link.');
-  }
 }
 
 // The engine
@@ -263,11 +189,11 @@ const sendCursor = later(100, () => {
 });
 
 function hasChanged() {
-  isOwn = true;
+  keeping.isOwn = true;
   isStopped = false;
   endNotice();
   sendFilesSoon();
-  keepSoon();
+  keeping.keepSoon();
 }
 
 /** `status`: what is said in place of problems, which nobody knows now. */
@@ -389,7 +315,7 @@ function takeFromPicture(message) {
     const { type, params, ...others } = message;
     const known = (object) => Object.fromEntries(Object.entries(object).filter(([, value]) => value !== null));
     choices = known({ ...choices, ...others, params: known({ ...choices.params, ...params }) });
-    keepSoon();
+    keeping.keepSoon();
     if (isStopped) renderAgain();
   }
   engine.post({ to: 'preview', message });
@@ -463,38 +389,20 @@ function rename(name) {
   haveFilesChanged(name);
 }
 
-let isNewFile;
-function openFileDialog(isNew) {
-  isNewFile = isNew;
-  $('file-title').textContent = isNew ? 'New file' : `File ${current}`;
-  $('file-name').value = isNew ? '' : current;
-  $('file-is-main').checked = !isNew && current === main;
-  $('file-is-main').disabled = !isNew && current === main;
-  $('file-delete').hidden = isNew || current === main;
-  $('file-fault').textContent = '';
-  $('file-dialog').showModal();
-}
-
-$('file-dialog').addEventListener('submit', (event) => {
-  if (event.submitter?.value === 'cancel') return;
-  const name = $('file-name').value.trim();
-  let fault = '';
-  if (!isName(name)) fault = 'A name has letters, digits and the characters - _ . and / between folders.';
-  else if (states.has(name) && (isNewFile || name !== current)) fault = 'There is such a file.';
-  else if (areMixed([name, ...project.names().filter((each) => isNewFile || each !== current)]))
-    fault = 'A file and a folder cannot have the same name.';
-  else if (!isScene(name) && ($('file-is-main').checked || (!isNewFile && current === main))) fault = 'Only a file .scene can be rendered.';
-  $('file-fault').textContent = fault;
-  if (fault) return event.preventDefault();
-  if ($('file-is-main').checked) main = name;
-  if (isNewFile) return addFile(name, isScene(name) ? 'scene 1\n' : '');
-  rename(name);
-});
-$('file-delete').addEventListener('click', () => {
-  $('file-dialog').close();
-  const old = snapshot();
-  const { [current]: _, ...files } = old.files;
-  replace({ ...old, files }, `${current} is deleted.`);
+const fileDialog = new FileDialog({
+  names: project.names,
+  current: project.current,
+  main: () => main,
+  apply({ isNew, name, isMain }) {
+    if (isMain) main = name;
+    if (isNew) return addFile(name, isScene(name) ? 'scene 1\n' : '');
+    rename(name);
+  },
+  remove() {
+    const old = snapshot();
+    const { [current]: _, ...files } = old.files;
+    replace({ ...old, files }, `${current} is deleted.`);
+  },
 });
 
 const conversions = new Map(); // functions that take the answer, by its id
@@ -539,7 +447,7 @@ async function openExample(value) {
   if (!value) return;
   $('example').value = '';
   if (value === 'before') {
-    const before = stored('localStorage', kBefore);
+    const before = storedBefore();
     if (before) replace(before, 'This is the text before.');
     return;
   }
@@ -578,7 +486,7 @@ function takeSettings() {
   showSettings();
   engine.post({ to: 'settings', arguments: settingsArguments() });
   renderAgain();
-  keepSoon();
+  keeping.keepSoon();
 }
 
 const actions = {
@@ -594,7 +502,7 @@ const actions = {
   'example blur': () => ($('example').value = ''),
   'open click': () => $('chosen').click(),
   'chosen change': () => takeFiles($('chosen').files).then(() => ($('chosen').value = '')),
-  'link click': copyLink,
+  'link click': () => keeping.copyLink(),
   'format click': () => {
     formatDocument(view);
     view.focus();
@@ -605,8 +513,8 @@ const actions = {
   'help click': () => $('keys-dialog').showModal(),
   'show-text click': () => showSide('text'),
   'show-picture click': () => showSide('picture'),
-  'new-file click': () => openFileDialog(true),
-  'change-file click': () => openFileDialog(false),
+  'new-file click': () => fileDialog.open(true),
+  'change-file click': () => fileDialog.open(false),
 };
 for (const [name, action] of Object.entries(actions)) {
   const [id, event] = name.split(' ');
@@ -658,15 +566,15 @@ async function start() {
     await Promise.race([isStarted, new Promise((resolve) => setTimeout(resolve, 5000))]);
   }
   view = new EditorView({ parent: $('editor') });
-  const kept = stored('sessionStorage', kStored); // of this tab
-  const own = kept ?? stored('localStorage', kStored);
+  const kept = storedOfTab();
+  const own = kept ?? storedOfBrowser();
   const first = { files: { 'main.scene': $('first-scene').content.textContent }, main: 'main.scene', settings: kDefaults };
-  if (stored('localStorage', kBefore)) offerBefore();
+  if (storedBefore()) offerBefore();
   // The address of a page that is loaded again may be older than what is kept.
   const isLoadedAgain = kept && performance.getEntriesByType('navigation')[0].type === 'reload';
   const linked = isLoadedAgain || location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
-  isOwn = own?.isOwn ?? Boolean(own ?? linked);
+  keeping.isOwn = own?.isOwn ?? Boolean(own ?? linked);
   const example = new URLSearchParams(location.search).get('example');
   if (location.search) history.replaceState(null, '', location.pathname + location.hash);
   if (example) {
