@@ -55,6 +55,7 @@ export class Keeping {
 
   /** Puts the project into the storage and the address. Returns the address, or null if it is too long. */
   keep() {
+    const { href } = location;
     const mine = toFragment(this.#snapshot()).then((made) => {
       if (mine !== this.#making) return this.#making; // it has a later text
       const isTooLong = made.length > kMaxLink;
@@ -62,8 +63,10 @@ export class Keeping {
       const isLost = !this.storeNow() && isTooLong;
       if (isLost && !this.#hasWarned) notify('This browser does not keep the text, which is too long for a link: copy it.', null, true);
       this.#hasWarned = isLost;
-      history.replaceState(null, '', isTooLong ? location.pathname : `#${this.#fragment}`);
-      return isTooLong ? null : location.href;
+      const address = new URL(isTooLong ? location.pathname : `#${this.#fragment}`, href).href;
+      // “Back” may have been pressed: that entry of the history keeps its address.
+      if (location.href === href) history.replaceState(null, '', address);
+      return isTooLong ? null : address;
     });
     this.#making = mine;
     return mine;

@@ -565,6 +565,8 @@ async function start() {
     const isStarted = startServiceWorker(() => view).catch(() => {}); // the browser may refuse all that keeps something
     await Promise.race([isStarted, new Promise((resolve) => setTimeout(resolve, 5000))]);
   }
+  const example = new URLSearchParams(location.search).get('example');
+  if (location.search) history.replaceState(null, '', location.pathname + location.hash);
   view = new EditorView({ parent: $('editor') });
   const kept = storedOfTab();
   const own = kept ?? storedOfBrowser();
@@ -575,15 +577,15 @@ async function start() {
   const linked = isLoadedAgain || location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
   keeping.isOwn = own?.isOwn ?? Boolean(own ?? linked);
-  const example = new URLSearchParams(location.search).get('example');
-  if (location.search) history.replaceState(null, '', location.pathname + location.hash);
   if (example) {
     const option = [...$('example').options].find(({ text }) => text === example);
     if (option) await openExample(option.value);
   } else if (own && linked) replace(linked, 'This text is from the link. What this browser had kept is not lost.');
+  let changes = 0;
   addEventListener('hashchange', async () => {
+    const change = ++changes;
     const next = await openLink();
-    if (next) replace(next, 'This text is from the link.');
+    if (next && change === changes) replace(next, 'This text is from the link.');
   });
   $('picture').src = $('picture').dataset.src;
   if (location.protocol !== 'file:') return startEngine();

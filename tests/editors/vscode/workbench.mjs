@@ -196,10 +196,20 @@ export class Workbench {
     await this.click('.quick-input-list .monaco-list-row', title);
   }
 
+  /** Closes all editors. What the active one has not saved is lost. */
+  async closeAll() {
+    const isDirty = () => this.page.$('.tab.active.dirty');
+    if (await isDirty()) {
+      await this.command('View: Revert and Close Editor');
+      await until('the editor is closed', async () => !(await isDirty()));
+    }
+    await this.command('View: Close All Editors');
+  }
+
   /** Writes a file and opens it; waits until its text is shown. */
   async open(name, text) {
     if (text !== undefined) this.write(name, text);
-    await this.command('View: Close All Editors');
+    await this.closeAll();
     await this.quickInput('Control+p');
     await this.type(this.file(name));
     await this.seeText('.quick-input-list .monaco-list-row.focused', name);
@@ -239,7 +249,7 @@ export class Workbench {
   /** Closes whatever a failed check left open. */
   async reset() {
     await this.press('Escape', 'Escape', 'Escape');
-    await this.command('View: Revert and Close All Editors').catch(() => {});
+    await this.closeAll().catch(() => {});
   }
 
   /** Copies the logs of VS Code, with that of the extension, to the screenshots. */
