@@ -132,7 +132,7 @@ void ServeSession::print_findings_of(const ServedScene& scene) {
 void ServeSession::publish_scene() {
   const ServedScene* const latest = latest_ ? latest_.get() : shown_.get();
   if (latest == nullptr) return;
-  progress_.clear();  // it follows, whether it has changed or not
+  progress_.clear();  // the progress is sent after each scene, also if it is unchanged
   ServeChoices of_command = choices_;
   if (latest->animation && !of_command.frame) of_command.frame = latest->animation->first;
   std::string message =

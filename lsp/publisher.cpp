@@ -123,25 +123,32 @@ void Publisher::send(const std::set<fs::path>& files, const Checked& checked) {
   for (const fs::path& file : files) {
     const std::string uri = uri_of_identity(file);
     Json findings = united(file);
-    std::optional<int> version;
-    const bool is_root = checked.root != nullptr && *checked.root == file;
-    if (has_versions_ && is_root && open_.contains(file)) version = checked.version;
-    if (const auto sent = sent_.find(file); sent != sent_.end()) {
-      const bool is_known = sent->second.findings == findings;
-      const bool has_version = !version || sent->second.version == version;
-      if (sent->second.uri == uri && is_known && has_version) continue;
+    const std::optional<int> version = version_of(file, checked);
+    const bool may_forget = findings.empty() && !version;
+    const auto sent = sent_.find(file);
+    if (sent == sent_.end()) {
+      if (may_forget) continue;
+    } else if (sent->second.uri != uri) {
       // A link to the file was opened or closed: the editor takes both for different files.
-      if (sent->second.uri != uri) send(sent->second.uri, Json::array(), std::nullopt);
-    } else if (findings.empty() && !version) {
+      send(sent->second.uri, Json::array(), std::nullopt);
+    } else if (sent->second.findings == findings && (!version || sent->second.version == version)) {
+      if (may_forget && !open_.contains(file)) sent_.erase(sent);
       continue;
     }
     send(uri, findings, version);
-    if (findings.empty() && !version) {
+    if (may_forget) {
       sent_.erase(file);
     } else {
       sent_[file] = {.uri = uri, .findings = std::move(findings), .version = version};
     }
   }
+}
+
+std::optional<int> Publisher::version_of(const fs::path& file, const Checked& checked) const {
+  if (!has_versions_ || checked.root == nullptr || *checked.root != file) return std::nullopt;
+  const auto open = open_.find(file);
+  const bool has_findings_of_check = open != open_.end() && open->second.scene == file;
+  return has_findings_of_check && !open->second.has_other_uri ? checked.version : std::nullopt;
 }
 
 void Publisher::send(const std::string& uri, const Json& findings, std::optional<int> version) {

@@ -17,15 +17,16 @@
 namespace sdlc::lsp {
 
 /// Sends the findings of checks to the client, by file. An open file has the findings of the scene
-/// that it is checked in, any other file those of all scenes. A file whose findings did not change
-/// is not sent again, except to clients that know versions: these drop findings of an older version.
-/// All functions may be called by every thread.
+/// that it is checked in, any other file those of all scenes. Unchanged findings are not sent again,
+/// except those of an open root to a client with `versionSupport`, which drops findings of older
+/// versions. All functions may be called by every thread.
 class Publisher {
  public:
   /// An open file: how the client calls it, and the scene that it is checked in, if any.
   struct OpenText {
     std::string uri;
     std::filesystem::path scene;
+    bool has_other_uri = false;  ///< through a link: the versions of both have nothing in common
 
     friend bool operator==(const OpenText&, const OpenText&) = default;
   };
@@ -58,11 +59,13 @@ class Publisher {
   Findings findings_of(const Checks::Result& result) const;
   std::string uri_of_identity(const std::filesystem::path& identity) const;
   Json united(const std::filesystem::path& file) const;
-  /// `root`: the scene just checked, in this version.
+  /// `root`: the scene just checked, in this version; nullopt if it could not be read.
   struct Checked {
     const std::filesystem::path* root = nullptr;
-    int version = 0;
+    std::optional<int> version = std::nullopt;
   };
+  /// The version to send with the findings of a file; nullopt if they may be of another text.
+  std::optional<int> version_of(const std::filesystem::path& file, const Checked& checked) const;
   void send(const std::set<std::filesystem::path>& files, const Checked& checked);
   void send(const std::string& uri, const Json& findings, std::optional<int> version);
   void show_config_errors(const CheckedScene& checked);

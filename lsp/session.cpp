@@ -181,7 +181,10 @@ void Session::update_scenes() {
     const bool is_no_scene = lang::data_format_of(file.path).has_value() ||
                              (is_json && !lang::looks_like_config(*file.text));
     const bool is_foreign = scene == file.identity && is_no_scene;
-    open[file.identity] = {.uri = uri, .scene = is_foreign ? fs::path() : scene};
+    Publisher::OpenText& text = open[file.identity];
+    text = {.uri = uri,
+            .scene = is_foreign ? fs::path() : scene,
+            .has_other_uri = !text.uri.empty()};
     if (!is_foreign) scenes.insert(scene);
   }
   publisher_.set_open(std::move(open));

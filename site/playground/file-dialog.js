@@ -1,4 +1,4 @@
-// The dialog of a file: a new one, or another name for the one in the editor.
+// The dialog that adds, renames and deletes files.
 import { isScene } from './language.js';
 import { areMixed, isName } from './link.js';
 import { $ } from './page.js';
@@ -43,9 +43,9 @@ export class FileDialog {
   #faultOf(name) {
     const others = this.#project.names().filter((each) => this.#isNew || each !== this.#project.current());
     if (!isName(name)) return 'A name has letters, digits and the characters - _ . and / between folders.';
-    if (others.includes(name)) return 'There is such a file.';
+    if (others.includes(name)) return 'A file with this name exists.';
     if (areMixed([name, ...others])) return 'A file and a folder cannot have the same name.';
-    if (!isScene(name) && $('file-is-main').checked) return 'Only a file .scene can be rendered.';
+    if (!isScene(name) && $('file-is-main').checked) return 'Only a .scene file can be rendered.';
     return '';
   }
 }

@@ -8,11 +8,11 @@ import { EditorState, Prec, StateEffect } from '@codemirror/state';
 import { EditorView, keymap } from '@codemirror/view';
 import { Engine } from './engine-worker.js';
 import { FileDialog } from './file-dialog.js';
-import { Keeping, storeBefore, storedBefore, storedOfBrowser, storedOfTab } from './keeping.js';
 import { Language, isScene, sceneLanguage } from './language.js';
 import { areMixed, fromFragment, isName } from './link.js';
 import { $, announce, element, endNotice, later, notify } from './page.js';
 import { Problems, offsetOf, placeOf } from './problems.js';
+import { ProjectStorage, storePrevious, storedOfBrowser, storedOfTab, storedPrevious } from './project-storage.js';
 import { compile, startServiceWorker } from './startup.js';
 
 const kDefaults = { width: 480, error: 5 };
@@ -51,7 +51,7 @@ const snapshot = () => ({
   choices,
 });
 
-const keeping = new Keeping(snapshot);
+const storage = new ProjectStorage(snapshot);
 const engine = new Engine(takeMessage);
 const language = new Language(project, {
   send: (message) => engine.post({ to: 'lsp', message }),
@@ -67,7 +67,7 @@ const commonExtensions = [
       { key: 'Shift-F8', run: previousDiagnostic },
       { key: 'F8', run: nextDiagnostic },
       { key: 'Mod-.', run: () => problems.focusFix() },
-      { key: 'Mod-s', run: () => keeping.keepNow(), preventDefault: true },
+      { key: 'Mod-s', run: () => storage.saveByUser(), preventDefault: true },
     ]),
   ),
   basicSetup,
@@ -114,19 +114,19 @@ function load(next) {
   language.client.workspace.reopen();
   show(main);
   sendProject({ params: { ...forgotten, ...choices.params }, camera: null, frame: null, pose: null, ...choices });
-  keeping.keep();
+  storage.save();
 }
 
 /** Replaces the project; the notice has the way back. The text before is kept if it is the user's. */
 function replace(next, text, isNextOwn = true) {
   const old = snapshot();
-  const wasOwn = keeping.isOwn;
+  const wasOwn = storage.isOwn;
   isStopped = false;
   load(next);
   if (JSON.stringify(old.files) === JSON.stringify(next.files)) return;
-  keeping.isOwn = isNextOwn;
-  keeping.storeNow(); // makes room
-  const isKept = !wasOwn || storeBefore(old);
+  storage.isOwn = isNextOwn;
+  storage.store(); // makes room
+  const isKept = !wasOwn || storePrevious(old);
   notify(isKept ? text : `${text} This browser has no room for the text before: only this button leads to it.`, [
     'Back to the text before',
     () => replace(old, 'This is the text before.', wasOwn),
@@ -189,11 +189,11 @@ const sendCursor = later(100, () => {
 });
 
 function hasChanged() {
-  keeping.isOwn = true;
+  storage.isOwn = true;
   isStopped = false;
   endNotice();
   sendFilesSoon();
-  keeping.keepSoon();
+  storage.saveSoon();
 }
 
 /** `status`: what is said in place of problems, which nobody knows now. */
@@ -299,8 +299,8 @@ function takePreview(message) {
   if (message.type === 'scene') {
     compiled = sent;
     problems.takeOfScene(message.findings);
-    // `progress` follows at once. A click on Stop between the two counts.
-    setWork({ isCompiling: false, isRendering: message.is_correct && !isStopped });
+    // A correct scene counts as rendering until its `progress` comes, so that Stop stays enabled.
+    setWork({ isCompiling: false, isRendering: !isStopped && (message.is_correct || work.isRendering) });
   }
   if (message.type === 'progress') setWork({ isRendering: message.is_running && !isStopped });
   if (message.type === 'failure') setWork({ isRendering: false });
@@ -315,7 +315,7 @@ function takeFromPicture(message) {
     const { type, params, ...others } = message;
     const known = (object) => Object.fromEntries(Object.entries(object).filter(([, value]) => value !== null));
     choices = known({ ...choices, ...others, params: known({ ...choices.params, ...params }) });
-    keeping.keepSoon();
+    storage.saveSoon();
     if (isStopped) renderAgain();
   }
   engine.post({ to: 'preview', message });
@@ -447,7 +447,7 @@ async function openExample(value) {
   if (!value) return;
   $('example').value = '';
   if (value === 'before') {
-    const before = storedBefore();
+    const before = storedPrevious();
     if (before) replace(before, 'This is the text before.');
     return;
   }
@@ -486,7 +486,7 @@ function takeSettings() {
   showSettings();
   engine.post({ to: 'settings', arguments: settingsArguments() });
   renderAgain();
-  keeping.keepSoon();
+  storage.saveSoon();
 }
 
 const actions = {
@@ -502,7 +502,7 @@ const actions = {
   'example blur': () => ($('example').value = ''),
   'open click': () => $('chosen').click(),
   'chosen change': () => takeFiles($('chosen').files).then(() => ($('chosen').value = '')),
-  'link click': () => keeping.copyLink(),
+  'link click': () => storage.copyLink(),
   'format click': () => {
     formatDocument(view);
     view.focus();
@@ -549,12 +549,18 @@ async function startEngine() {
   }
 }
 
+let navigations = 0; // to links
+
+/** The project of the address; null if there is none, or if the address has changed meanwhile. */
 async function openLink() {
-  if (location.hash.length < 2 || location.hash === '#text') return null; // the latter skips the header
+  const { hash } = location;
+  if (hash.length < 2 || hash === '#text') return null; // the latter skips the header
+  const navigation = ++navigations;
   try {
-    return await fromFragment(location.hash.slice(1));
+    const linked = await fromFragment(hash.slice(1));
+    return navigation === navigations ? linked : null;
   } catch (error) {
-    notify(`The link is damaged (${error.message}). What this browser has kept is shown.`);
+    if (navigation === navigations) notify(`The link is damaged (${error.message}). What this browser has kept is shown.`);
     return null;
   }
 }
@@ -571,21 +577,19 @@ async function start() {
   const kept = storedOfTab();
   const own = kept ?? storedOfBrowser();
   const first = { files: { 'main.scene': $('first-scene').content.textContent }, main: 'main.scene', settings: kDefaults };
-  if (storedBefore()) offerBefore();
+  if (storedPrevious()) offerBefore();
   // The address of a page that is loaded again may be older than what is kept.
   const isLoadedAgain = kept && performance.getEntriesByType('navigation')[0].type === 'reload';
   const linked = isLoadedAgain || location.hash.slice(1) === own?.fragment ? null : await openLink();
   load(own ?? linked ?? first);
-  keeping.isOwn = own?.isOwn ?? Boolean(own ?? linked);
+  storage.isOwn = own?.isOwn ?? Boolean(own ?? linked);
   if (example) {
     const option = [...$('example').options].find(({ text }) => text === example);
     if (option) await openExample(option.value);
   } else if (own && linked) replace(linked, 'This text is from the link. What this browser had kept is not lost.');
-  let changes = 0;
   addEventListener('hashchange', async () => {
-    const change = ++changes;
     const next = await openLink();
-    if (next && change === changes) replace(next, 'This text is from the link.');
+    if (next) replace(next, 'This text is from the link.');
   });
   $('picture').src = $('picture').dataset.src;
   if (location.protocol !== 'file:') return startEngine();

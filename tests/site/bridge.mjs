@@ -61,6 +61,7 @@ function connect(socket, program, received) {
   let early = []; // messages to it
   let choices;    // until it knows the scene
   const kept = new Map(); // the last `view` and `visible`
+  let chosen;             // all choices: a new program has to know them
   const toLive = (message) => live?.readyState === WebSocket.OPEN ? live.send(JSON.stringify(message)) : early.push(message);
   function stop() {
     serve?.kill();
@@ -72,7 +73,7 @@ function connect(socket, program, received) {
   const edit = (name, text) => tellServe({ type: 'text', path: join(folder, name), text });
   function render() {
     stop();
-    choices = [];
+    choices = chosen ? [chosen] : [];
     const started = spawn(program, ['serve', main, '--editor', ...flags], { cwd: folder, stdio: ['pipe', 'pipe', 'inherit'] });
     serve = started;
     for (const [name, text] of Object.entries(files)) edit(name, text);
@@ -89,9 +90,9 @@ function connect(socket, program, received) {
           if (live !== socketNow) return;
           if (isBinary) return socket.send(answer, { binary: true });
           if (choices && JSON.parse(answer).type === 'scene') {
-            const chosen = choices;
+            const waiting = choices;
             choices = undefined;
-            chosen.forEach(toLive);
+            waiting.forEach(toLive);
           }
           send({ from: 'preview', message: JSON.parse(outOfFolder(answer.toString())) });
         });
@@ -119,9 +120,9 @@ function connect(socket, program, received) {
       const wasMain = main;
       main = message.main;
       // `serve` does not answer to a text that the scene does not read; the engine does.
-      const areOthers = removed.length > 0 || changed.some(([name]) => name !== main);
+      const changesOtherFiles = removed.length > 0 || changed.some(([name]) => name !== main);
       if (!message.render) stop();
-      else if (!serve || main !== wasMain || areOthers) render();
+      else if (!serve || main !== wasMain || changesOtherFiles) render();
       else changed.forEach(([name, text]) => edit(name, text));
     },
     settings(message) {
@@ -130,6 +131,7 @@ function connect(socket, program, received) {
     },
     preview({ message }) {
       if (message.type === 'view' || message.type === 'visible') kept.set(message.type, message);
+      if (message.type === 'choose') chosen = { ...chosen, ...message, params: { ...chosen?.params, ...message.params } };
       if (message.type === 'choose' && choices) choices.push(message);
       else toLive(message);
     },

@@ -136,8 +136,8 @@ function tests(name, executablePath, args, isReal) {
   /** Puts the cursor after the first `part`, which is in one line. */
   async function goAfter(page, part) {
     await page.focus('.cm-content');
-    // Until the editor has followed. It puts its own cursor there when it gets the focus.
-    const isThere = () => page.evaluate(async (wanted) => {
+    // When it gets the focus, the editor restores its own selection: this one is set until it stays for 100 ms.
+    const select = () => page.evaluate(async (wanted) => {
       const line = [...document.querySelectorAll('.cm-line')].find((each) => each.textContent.includes(wanted));
       let left = line.textContent.indexOf(wanted) + wanted.length;
       const nodes = document.createTreeWalker(line, NodeFilter.SHOW_TEXT);
@@ -146,7 +146,7 @@ function tests(name, executablePath, args, isReal) {
       await new Promise((resolve) => setTimeout(resolve, 100));
       return getSelection().focusNode === nodes.currentNode && getSelection().focusOffset === left;
     }, part);
-    while (!await isThere());
+    while (!await select());
   }
 
   const press = async (page, key, ...held) => {
@@ -533,18 +533,24 @@ function tests(name, executablePath, args, isReal) {
   test('stop ends a render; a change of the settings or of a param starts one', async () => {
     const endless = project(ball.replace('4096', '16777216'), { settings: { width: 300 } });
     const { page, close } = await open({ start: endless, prepare: () => {
-      globalThis.states = [];  // of the button: whether it can be clicked
+      globalThis.wasEnabled = [];  // the button, after each change
       addEventListener('DOMContentLoaded', () => {
         const button = document.getElementById('render');
         if (!button) return; // of the picture
-        new MutationObserver(() => states.push(!button.disabled)).observe(button, { attributes: true });
+        new MutationObserver(() => wasEnabled.push(!button.disabled)).observe(button, { attributes: true });
       });
     } });
     await label(page, 'Stop');
-    const frameOfStop = await pictureOf(page);
-    while (!await frameOfStop.evaluate('Boolean(picture)')) await pause();
-    const states = await page.evaluate('states');
-    assert.ok(states.at(-1) && !states.slice(states.indexOf(true)).includes(false), 'from the change on, without a gap');
+    const frame = await pictureOf(page);
+    while (!await frame.evaluate('Boolean(picture)')) await pause();
+    await goAfter(page, 'color: #c04040) }');
+    await page.keyboard.type(')'); // an error: the picture before is still rendered
+    await title(page, '1 problem');
+    await page.keyboard.press('Backspace');
+    await title(page, 'No problems');
+    const wasEnabled = await page.evaluate('wasEnabled');
+    assert.equal(wasEnabled.at(-1), true);
+    assert.ok(!wasEnabled.slice(wasEnabled.indexOf(true)).includes(false), 'Stop can be clicked all the time');
     await page.click('#render');
     await label(page, 'Render');
     await set(page, '#width', '2.4');
@@ -562,7 +568,6 @@ function tests(name, executablePath, args, isReal) {
     await page.waitForFunction("!document.getElementById('render').disabled");
     await page.click('#render');
     await label(page, 'Render');
-    const frame = await pictureOf(page);
     await frame.evaluate("choose({params: {size: '0.9'}})");
     await label(page, 'Stop');
     while (await frame.evaluate('scene.params[0].value') !== '0.9') await pause();
@@ -675,14 +680,29 @@ function tests(name, executablePath, args, isReal) {
   });
 
   test('back and forward go between links', async () => {
-    const { page, close } = await open({ start: project(ball) });
+    const { page, close } = await open({ start: project(ball), prepare: () => {
+      globalThis.written = [];  // [the address that was replaced, its replacement]
+      const { replaceState } = history;
+      history.replaceState = (state, title, url) => {
+        written.push([location.hash, new URL(url, location).hash]);
+        replaceState.call(history, state, title, url);
+      };
+      const { arrayBuffer } = Blob.prototype;  // links are made and read late
+      Blob.prototype.arrayBuffer = async function () {
+        await new Promise((resolve) => setTimeout(resolve, 50));
+        return arrayBuffer.call(this);
+      };
+    } });
     await finishedPicture(page); // while a page is loaded, a fragment replaces the one before
     await page.waitForFunction('location.hash.length > 100');
     const link = await page.evaluate('location.hash');
     await paste(page, 'scene 1\n// other\n');
     await page.waitForFunction((old) => location.hash !== old, {}, link);
+    const other = await page.evaluate('location.hash');
     await page.evaluate((old) => { location.hash = old; }, link);
     await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('sphere ball')");
+    await page.waitForFunction(([from, to]) => written.at(-1).join() === `${from},${to}`, {}, [link, link]);
+    await page.evaluate('written = []');
     // Forward as soon as the text is there: its address, which is made then, is not for the next entry.
     await page.evaluate(() => new Promise((resolve) => {
       const text = document.querySelector('.cm-content');
@@ -695,6 +715,8 @@ function tests(name, executablePath, args, isReal) {
       history.back();
     }));
     await page.waitForFunction("document.querySelector('.cm-content').textContent.includes('sphere ball')");
+    await page.waitForFunction((expected) => written.at(-1)?.[1] === expected, {}, link);
+    assert.deepEqual((await page.evaluate('written')).filter(([from, to]) => from === link && to === other), []);
     await close();
   });
 

@@ -153,6 +153,30 @@ test('files of the playground are all there are, and settings are those of the c
   assert.match(JSON.stringify((await broken).message.findings), /parts\.scene/);
 });
 
+test('progress follows each scene, also if it has not changed', async (t) => {
+  const worker = await startedWorker(t);
+  const post = (text) => {
+    const files = { 'ball.scene': text, 'parts.scene': 'scene 1\nlet size = 1\n' };
+    worker.post({ to: 'files', files, main: 'ball.scene', render: true });
+  };
+  worker.post({ to: 'preview', message: { type: 'visible', value: true } });
+  const picture = worker.see(({ message }) => message instanceof ArrayBuffer);
+  const finished = worker.see(({ message }) => message?.type === 'progress' && !message.is_running);
+  post(kScene);
+  await picture;
+  worker.post({ to: 'preview', message: { type: 'shown' } });
+  await finished;
+  for (const comment of ['// a', '// b']) {
+    const scene = worker.see(({ message }) => message?.type === 'scene');
+    post(`${kScene}${comment}\n`);
+    await scene;
+    const answer = worker.see(({ message }) => ['progress', 'picked'].includes(message?.type));
+    worker.post({ to: 'preview', message: { type: 'pick', x: 8, y: 4 } });
+    const { type, is_running } = (await answer).message;
+    assert.deepEqual({ type, is_running }, { type: 'progress', is_running: false });
+  }
+});
+
 test('a stop ends the render of a change that still waits', async (t) => {
   const worker = await startedWorker(t);
   const files = { 'ball.scene': kScene, 'parts.scene': 'scene 1\nlet size = 1\n' };

@@ -196,7 +196,7 @@ export class Workbench {
     await this.click('.quick-input-list .monaco-list-row', title);
   }
 
-  /** Closes all editors. What the active one has not saved is lost. */
+  /** Closes all editors. What the active one has not saved is lost; no check leaves another. */
   async closeAll() {
     const isDirty = () => this.page.$('.tab.active.dirty');
     if (await isDirty()) {

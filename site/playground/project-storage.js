@@ -3,7 +3,7 @@ import { isProject, kMaxLink, toFragment } from './link.js';
 import { later, notify } from './page.js';
 
 const kProject = 'sdlc-playground';
-const kBefore = 'sdlc-playground-before'; // what the project has replaced
+const kPrevious = 'sdlc-playground-before'; // the project before this one
 
 function store(storage, key, value) {
   try {
@@ -22,31 +22,31 @@ function stored(storage, key) {
   }
 }
 
-// Stored projects, or null. They have `fragment`, that of the address, and `isOwn`, too.
+// Stored projects, or null. Those of the tab and of the browser have `fragment` and `isOwn`, too.
 export const storedOfTab = () => stored('sessionStorage', kProject);
 export const storedOfBrowser = () => stored('localStorage', kProject);
-export const storedBefore = () => stored('localStorage', kBefore);
+export const storedPrevious = () => stored('localStorage', kPrevious);
 /** False if it has no room. */
-export const storeBefore = (project) => store('localStorage', kBefore, project);
+export const storePrevious = (project) => store('localStorage', kPrevious, project);
 
-export class Keeping {
-  /** Whether the text is nowhere else; an example that nobody changed is. */
+export class ProjectStorage {
+  /** Whether the text exists only here; false for an unchanged example. */
   isOwn = false;
   #snapshot;
-  #making; // the promise of the last keep()
-  #fragment = ''; // the last one that was put into the address
+  #lastSave; // the promise of the last save()
+  #fragment = ''; // of the text that was stored last; empty if it is too long
   #isDirty = false; // whether anything has changed since it was stored
   #hasWarned = false; // that the text is lost when the page is left
-  #keepLater = later(400, () => this.keep());
+  #saveLater = later(400, () => this.save());
 
   /** `snapshot()` is the project. */
   constructor(snapshot) {
     this.#snapshot = snapshot;
-    addEventListener('pagehide', () => this.#isDirty && this.storeNow());
+    addEventListener('pagehide', () => this.#isDirty && this.store());
   }
 
   /** False if the browser does not keep it. */
-  storeNow() {
+  store() {
     this.#isDirty = false;
     const now = { ...this.#snapshot(), fragment: this.#fragment, isOwn: this.isOwn };
     store('sessionStorage', kProject, now);
@@ -54,39 +54,39 @@ export class Keeping {
   }
 
   /** Puts the project into the storage and the address. Returns the address, or null if it is too long. */
-  keep() {
+  save() {
     const { href } = location;
-    const mine = toFragment(this.#snapshot()).then((made) => {
-      if (mine !== this.#making) return this.#making; // it has a later text
+    const save = toFragment(this.#snapshot()).then((made) => {
+      if (save !== this.#lastSave) return this.#lastSave; // it has a later text
       const isTooLong = made.length > kMaxLink;
       this.#fragment = isTooLong ? '' : made;
-      const isLost = !this.storeNow() && isTooLong;
+      const isLost = !this.store() && isTooLong;
       if (isLost && !this.#hasWarned) notify('This browser does not keep the text, which is too long for a link: copy it.', null, true);
       this.#hasWarned = isLost;
       const address = new URL(isTooLong ? location.pathname : `#${this.#fragment}`, href).href;
-      // “Back” may have been pressed: that entry of the history keeps its address.
+      // The user may have gone to another entry of the history: its address stays.
       if (location.href === href) history.replaceState(null, '', address);
       return isTooLong ? null : address;
     });
-    this.#making = mine;
-    return mine;
+    this.#lastSave = save;
+    return save;
   }
 
-  keepSoon() {
+  saveSoon() {
     this.#isDirty = true;
-    this.#keepLater();
+    this.#saveLater();
   }
 
-  /** At the user's wish. */
-  keepNow() {
-    const isKept = this.storeNow();
-    this.keep();
+  /** At the user's request: says what was kept. */
+  saveByUser() {
+    const isKept = this.store();
+    this.save();
     notify(isKept ? 'The text is kept in this browser.' : 'This browser keeps nothing: copy the link or the text.');
     return true;
   }
 
   async copyLink() {
-    const link = await this.keep();
+    const link = await this.save();
     if (!link) {
       const length = (await toFragment(this.#snapshot())).length.toLocaleString('en');
       return notify(`The link would have ${length} characters, more than many programs pass on. The text is kept in this
