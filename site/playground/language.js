@@ -184,6 +184,8 @@ function sanitized(html) {
   return body.innerHTML;
 }
 
+const isEqual = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+
 /** A page has no flags. */
 export const withoutFlags = (message) => message.replace(/(`--limit \w+=N`) allows more/, 'the program allows more with $1');
 
@@ -195,7 +197,7 @@ export const withoutFlags = (message) => message.replace(/(`--limit \w+=N`) allo
  */
 export class Language {
   #receive = () => {};
-  #mappings = new Map();
+  #taken = new Map(); // what was taken last, by URI: {mapping, diagnostics, findings, isComplete}
   #colorTimer = 0;
 
   constructor(project, { send, onFindings, onBusy }) {
@@ -235,7 +237,19 @@ export class Language {
   /** With a server that has just been started. */
   connect() {
     if (this.client.connected) this.client.disconnect();
+    this.#forget();
     this.client.connect(this.transport);
+  }
+
+  /** After files were added, renamed or removed. */
+  reopen() {
+    this.#forget();
+    this.client.workspace.reopen();
+  }
+
+  #forget() {
+    for (const { mapping } of this.#taken.values()) mapping.destroy();
+    this.#taken.clear();
   }
 
   /** Names of files in texts are relative. */
@@ -279,32 +293,44 @@ export class Language {
     if (!name || (file && version != null && version !== file.version)) return;
     const isOurs = this.project.names().includes(name); // also a data file, which is not open
     const doc = file?.doc ?? (isOurs ? this.project.doc(name) : Text.empty);
-    // Places are followed through later changes.
-    this.#mappings.get(uri)?.destroy();
-    const mapping = client.workspaceMapping();
-    this.#mappings.set(uri, mapping);
     const at = ({ line, character }, of = doc) => {
       const { from, to } = of.line(Math.min(line + 1, of.lines));
       return Math.min(from + character, to);
     };
-    const findings = diagnostics.map((diagnostic) => ({
+    const last = this.#taken.get(uri);
+    const places = diagnostics.map(({ range }) => [at(range.start), at(range.end)]);
+    const isKnown =
+      last?.isComplete &&
+      isEqual(last.diagnostics, diagnostics) &&
+      isEqual(last.findings.map((finding) => finding.at()), places);
+    if (isKnown) {
+      if (version != null && file?.view) this.onBusy(false);
+      return; // they keep their fixes
+    }
+    // Places are followed through later changes.
+    last?.mapping.destroy();
+    const mapping = client.workspaceMapping();
+    const taken = { mapping, diagnostics, findings: [], isComplete: false };
+    this.#taken.set(uri, taken);
+    taken.findings = diagnostics.map((diagnostic) => ({
       ...diagnostic,
       message: withoutFlags(diagnostic.message),
       at: () => [diagnostic.range.start, diagnostic.range.end].map((place) => mapping.mapPos(uri, at(place))),
       fixes: [],
     }));
+    const { findings } = taken;
     this.onFindings(name, findings);
     if (version != null && file?.view) this.onBusy(false);
     if (!file || findings.length === 0) return;
     await new Promise((resolve) => setTimeout(resolve, 100)); // the next key may come
-    if (this.#mappings.get(uri) !== mapping) return;
+    if (this.#taken.get(uri) !== taken) return;
     const end = { line: doc.lines - 1, character: doc.line(doc.lines).length };
     const actions = await client.request('textDocument/codeAction', {
       textDocument: { uri },
       range: { start: { line: 0, character: 0 }, end },
       context: { diagnostics, only: ['quickfix'] },
     });
-    if (this.#mappings.get(uri) !== mapping) return;
+    if (this.#taken.get(uri) !== taken) return;
     for (const action of actions ?? []) {
       if (!action.edit?.changes) continue;
       const fix = { title: action.title, apply: () => this.#apply(action.edit.changes, mapping) };
@@ -313,6 +339,7 @@ export class Language {
         findings.find(({ code, range }) => JSON.stringify([code, range]) === key)?.fixes.push(fix);
       }
     }
+    taken.isComplete = true;
     this.onFindings(name, findings);
   }
 

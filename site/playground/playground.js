@@ -111,7 +111,7 @@ function load(next) {
   const forgotten = Object.fromEntries(Object.keys(choices.params ?? {}).map((name) => [name, null]));
   choices = next.choices ?? {};
   showSettings();
-  language.client.workspace.reopen();
+  language.reopen();
   show(main);
   sendProject({ params: { ...forgotten, ...choices.params }, camera: null, frame: null, pose: null, ...choices });
   storage.save();
@@ -369,7 +369,7 @@ function showFiles() {
 /** After files were added, renamed or removed. */
 function haveFilesChanged(name) {
   current = undefined;
-  language.client.workspace.reopen();
+  language.reopen();
   show(name);
   hasChanged();
 }

@@ -209,8 +209,18 @@ function tests(name, executablePath, args, isReal) {
     if (loadavg()[0] < availableParallelism()) assert.ok(times[0] <= 100, 'the fastest of five');
     assert.match(await problems(page), /E104: unknown property `radious` of sphere[^]*main\.scene:8:36/);
     await page.waitForSelector('.fixes button');
-    const [fix] = await page.$$('.fixes button');
-    await fix.click();
+    await page.evaluate(() => {
+      globalThis.isFixLost = false;
+      const list = document.getElementById('problem-list');
+      new MutationObserver(() => { isFixLost ||= !list.querySelector('.fixes button'); }).observe(list, { childList: true });
+    });
+    const before = await page.evaluate('location.hash');
+    await goAfter(page, 'scene 1');
+    await page.keyboard.type(' // a');
+    await page.waitForFunction((old) => location.hash !== old, {}, before);
+    for (let i = 0; i < 5; ++i) await page.keyboard.press('Backspace');
+    assert.equal(await page.evaluate('isFixLost'), false, 'it stays while another line is edited');
+    await page.$eval('.fixes button', (fix) => fix.click()); // at once: the list is made again at each answer
     await title(page, 'No problems');
     assert.equal(await textOf(page), ball);
     const frame = await finishedPicture(page);
