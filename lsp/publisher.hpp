@@ -17,9 +17,9 @@
 namespace sdlc::lsp {
 
 /// Sends the findings of checks to the client, by file. An open file has the findings of the scene
-/// that it is checked in, any other file those of all scenes. Unchanged findings are not sent again,
-/// except those of an open root to a client with `versionSupport`, which drops findings of older
-/// versions. All functions may be called by every thread.
+/// that it is checked in, any other file those of all scenes. Unchanged findings are not sent
+/// again, except those of an open root to a client with `versionSupport`, which drops findings of
+/// older versions. All functions may be called by every thread.
 class Publisher {
  public:
   /// An open file: how the client calls it, and the scene that it is checked in, if any.

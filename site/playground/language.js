@@ -310,15 +310,14 @@ export class Language {
     // Places are followed through later changes.
     last?.mapping.destroy();
     const mapping = client.workspaceMapping();
-    const taken = { mapping, diagnostics, findings: [], isComplete: false };
-    this.#taken.set(uri, taken);
-    taken.findings = diagnostics.map((diagnostic) => ({
+    const findings = diagnostics.map((diagnostic) => ({
       ...diagnostic,
       message: withoutFlags(diagnostic.message),
       at: () => [diagnostic.range.start, diagnostic.range.end].map((place) => mapping.mapPos(uri, at(place))),
       fixes: [],
     }));
-    const { findings } = taken;
+    const taken = { mapping, diagnostics, findings, isComplete: false };
+    this.#taken.set(uri, taken);
     this.onFindings(name, findings);
     if (version != null && file?.view) this.onBusy(false);
     if (!file || findings.length === 0) return;
