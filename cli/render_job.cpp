@@ -17,6 +17,7 @@
 #include "cli/diagnostics_output.hpp"
 #include "cli/film_job.hpp"
 #include "cli/film_request.hpp"
+#include "cli/frame_selection.hpp"
 #include "cli/frame_writer.hpp"
 #include "cli/frames.hpp"
 #include "cli/kernel_options.hpp"
@@ -247,45 +248,16 @@ class RenderJob {
     if (!animation && options_.frames && !sink_.has_errors()) {
       throw UsageError("--frames: the scene has no `animation`, so all frames are the same");
     }
-    if (!animation) {
-      frames_ = {std::nullopt};
-      choose_videos(0);
-      return;
-    }
-    const FrameRange all{
-        .first = animation->first, .last = animation->last, .step = animation->step};
-    for (const int frame : frames_of(options_.frames.value_or(std::vector{all}))) {
-      frames_.emplace_back(frame);
-    }
-    warn_of_frames_outside(*animation);
-    take_shard_of_frames();
-    const int step = frames_.size() > 1 ? *frames_[1] - *frames_[0] : 1;
-    choose_videos(animation->fps / step);
+    FrameSelection selection = select_frames(options_, animation, env_.err);
+    frames_ = std::move(selection.frames);
+    is_shard_of_frames_ = selection.is_shard;
+    choose_videos(selection.frames_per_second);
     if (frames_.size() == 1) return;
     for (const std::string& output : pictures_) {
       if (has_frame_mark(output)) continue;
       throw UsageError(fmt::format("{} frames cannot all be written to `{}`; put {} in its name",
                                    frames_.size(), lang::printable(output), kFrameMark));
     }
-  }
-
-  /// Whether --shard divides the frames.
-  bool are_frames_divided() const {
-    if (!options_.shard || frames_.empty() || !frames_.front()) return false;
-    if (options_.shard_by) return *options_.shard_by == ShardBy::Frames;
-    return frames_.size() >= options_.shard->count;
-  }
-
-  void take_shard_of_frames() {
-    if (!are_frames_divided()) return;
-    const auto [index, count] = *options_.shard;
-    const auto cut = [&](std::size_t i) {
-      return frames_.begin() + static_cast<std::ptrdiff_t>(frames_.size() * i / count);
-    };
-    frames_ = {cut(index - 1), cut(index)};
-    is_shard_of_frames_ = true;
-    if (!frames_.empty()) return;
-    throw UsageError(fmt::format("--shard: there are fewer frames than {} shards", count));
   }
 
   /// Divides the outputs into videos of all frames and pictures of one.
@@ -323,17 +295,6 @@ class RenderJob {
     if (!videos_.add_kept(*frame, film.film(), env_)) return false;
     ++finished_;
     return true;
-  }
-
-  void warn_of_frames_outside(const lang::Animation& animation) {
-    std::vector<int> outside;
-    for (const std::optional<int> frame : frames_) {
-      if (*frame < animation.first || *frame > animation.last) outside.push_back(*frame);
-    }
-    if (outside.empty()) return;
-    env_.err << fmt::format("warning: --frames: {} {} outside of the animation, {} to {}\n",
-                            describe_frames(outside), outside.size() == 1 ? "is" : "are",
-                            animation.first, animation.last);
   }
 
   static render::PictureRecord record_of(const lang::LoweredScene& lowered,

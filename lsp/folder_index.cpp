@@ -272,6 +272,7 @@ void FolderIndex::read_updated(std::unique_lock<std::mutex>& lock, const fs::pat
     has_new_folders_ = true;  // with everything in it
   } else if (is_wanted(path)) {
     is_changed = read(lock, path);
+    if (walk_) walked_.insert(path);  // it may have listed the folder before the file existed
   } else {
     is_changed = replace(path, nullptr);
     is_changed |= remove_below(path);

@@ -25,12 +25,14 @@ export class Problems {
   #status = $('problems-title').textContent;
   #checked = new Map(); // lists of findings of the language server by name of the file
   #ofScene = []; // [name, finding]: errors of the scene as a whole, such as a missing camera
+  #listed = []; // [name, finding] of each row of the list
 
   constructor(project) {
     this.#project = project;
     $('problems').addEventListener('keydown', ({ key }) => {
       if (key === 'Escape') project.view().focus();
     });
+    $('problem-list').addEventListener('click', ({ target }) => this.#click(target.closest('button')));
   }
 
   /** Words in place of the number of problems, or null. The list is grey while there is a status. */
@@ -100,35 +102,45 @@ export class Problems {
     const list = $('problem-list');
     list.classList.toggle('is-old', this.#status !== null);
     const focused = [...list.querySelectorAll('button')].indexOf(document.activeElement);
-    list.replaceChildren(...all.map(([name, finding]) => this.#item(name, finding)));
-    if (focused >= 0) (list.querySelectorAll('button')[focused] ?? view).focus();
+    this.#listed = all;
+    // Rows that are as before stay: a click on a row that is replaced between press and release is lost.
+    const rows = all.map(([name, finding]) => this.#row(name, finding));
+    for (const row of [...list.children].slice(rows.length)) row.remove();
+    rows.forEach((row, index) => {
+      const before = list.children[index];
+      if (!before) list.append(row);
+      else if (!before.isEqualNode(row)) before.replaceWith(row);
+    });
+    const isFocusLost = focused >= 0 && !list.contains(document.activeElement);
+    if (isFocusLost) (list.querySelectorAll('button')[focused] ?? view).focus();
   }
 
-  #item(name, finding) {
-    const item = element('li', '', { className: severities[finding.severity ?? 1] });
+  #row(name, finding) {
+    const row = element('li', '', { className: severities[finding.severity ?? 1] });
     const button = element('button', `${finding.code ? `${finding.code}: ` : ''}${finding.message} `, {
       type: 'button',
       className: 'finding',
-      onclick: () => this.#project.goTo(name, ...finding.at()),
     });
     const { line, column } = placeOf(this.#project.doc(name), finding.at()[0]);
     button.append(element('span', `${name}:${line}:${column}`));
-    item.append(button);
-    if (finding.fixes.length > 0) item.append(this.#fixes(finding));
-    return item;
+    row.append(button);
+    if (finding.fixes.length > 0) {
+      const fixes = element('div', '', { className: 'fixes' });
+      fixes.append(...finding.fixes.map(({ title }) => element('button', title, { type: 'button' })));
+      row.append(fixes);
+    }
+    return row;
   }
 
-  #fixes({ fixes }) {
-    const buttons = fixes.map(({ title, apply }) => {
-      const onclick = () => {
-        apply();
-        this.#project.view().focus();
-      };
-      return element('button', title, { type: 'button', onclick });
-    });
-    const all = element('div', '', { className: 'fixes' });
-    all.append(...buttons);
-    return all;
+  /** `button`: the finding of a row, or one of its fixes; null beside them. */
+  #click(button) {
+    if (!button) return;
+    const row = button.closest('li');
+    const [name, finding] = this.#listed[[...row.parentElement.children].indexOf(row)];
+    const fix = finding.fixes[[...row.querySelectorAll('.fixes button')].indexOf(button)];
+    if (!fix) return this.#project.goTo(name, ...finding.at());
+    fix.apply();
+    this.#project.view().focus();
   }
 
   /** To the first fix of the problem at the cursor, or of the next one; a command of the editor. */

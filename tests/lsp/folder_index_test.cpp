@@ -5,10 +5,12 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -230,6 +232,35 @@ TEST_F(FolderIndexTest, StopsAtItsLimit) {
   start({}, 5);
   EXPECT_EQ(files().size(), 5u);
   EXPECT_EQ(std::ranges::count(files(), "top.scene"), 1);
+}
+
+/// Files with something that happens before the first of them is read.
+class FilesWithEvent final : public lang::FileSystem {
+ public:
+  std::optional<std::string> read(const fs::path& path, std::uint64_t max,
+                                  std::error_code& error) const override {
+    if (const auto happens = std::exchange(event, nullptr)) happens();
+    return disk_.read(path, max, error);
+  }
+  fs::path identity(const fs::path& path) const override { return disk_.identity(path); }
+
+  mutable std::function<void()> event;
+
+ private:
+  lang::DiskFileSystem disk_;
+};
+
+TEST_F(FolderIndexTest, KeepsAFileThatIsCreatedDuringTheWalkOfItsFolder) {
+  write("first.scene", "scene 1\n");
+  FilesWithEvent files;
+  lsp::FolderIndex index(files, {}, lsp::FolderIndex::kMaxScenes, false);
+  files.event = [&] {
+    write("later.scene", "scene 1\n");
+    index.update(folder_ / "later.scene");
+  };
+  index.set_folders({folder_.path()});
+  index.run_due();
+  EXPECT_EQ(names(index.files()), (Names{"first.scene", "later.scene"}));
 }
 
 /// Files that take a while to read.
