@@ -219,18 +219,16 @@ void FolderIndex::walk(std::unique_lock<std::mutex>& lock) {
     walked_.insert(path);
     ++progress_.read;
   } else {
-    FolderWalk walk = *std::exchange(walk_, std::nullopt);
     lock.unlock();
-    std::optional<std::vector<fs::path>> scenes = walk.next();
+    std::optional<std::vector<fs::path>> scenes = walk_->next();
     if (scenes) {  // of which some may be links
       std::ranges::transform(*scenes, scenes->begin(),
                              [&](const fs::path& scene) { return files_.identity(scene); });
     }
     lock.lock();
     if (has_new_folders_) return;  // the new walk includes these
-    progress_.is_limited = walk.is_limited();
+    progress_.is_limited = walk_->is_limited();
     if (!scenes) return end_walk(lock);
-    walk_.emplace(std::move(walk));
     found_.assign(scenes->rbegin(), scenes->rend());
   }
   report_walk(lock);
@@ -249,12 +247,12 @@ void FolderIndex::report_walk(std::unique_lock<std::mutex>& lock) {
 
 /// Forgets the files that the walk has not found.
 void FolderIndex::end_walk(std::unique_lock<std::mutex>& lock) {
+  walk_.reset();
   std::vector<fs::path> gone;
   for (const auto& [path, facts] : facts_) {
     if (!walked_.contains(path) && !open_.contains(path)) gone.push_back(path);
   }
   for (const fs::path& path : gone) replace(path, nullptr);
-  walked_.clear();
   const bool has_begun = std::exchange(has_begun_, false);
   call(lock, [&, progress = progress_] {
     if (has_begun && events_.end) events_.end(progress);
@@ -272,7 +270,8 @@ void FolderIndex::read_updated(std::unique_lock<std::mutex>& lock, const fs::pat
     has_new_folders_ = true;  // with everything in it
   } else if (is_wanted(path)) {
     is_changed = read(lock, path);
-    if (walk_) walked_.insert(path);  // it may have listed the folder before the file existed
+    // The walk may have listed the folder before the file existed.
+    if (is_in_folders(path)) walked_.insert(path);
   } else {
     is_changed = replace(path, nullptr);
     is_changed |= remove_below(path);
@@ -280,10 +279,13 @@ void FolderIndex::read_updated(std::unique_lock<std::mutex>& lock, const fs::pat
   if (is_changed && !walk_ && events_.changed) call(lock, events_.changed);
 }
 
-bool FolderIndex::is_wanted(const fs::path& path) const {
-  if (open_.contains(path)) return true;
+bool FolderIndex::is_in_folders(const fs::path& path) const {
   return std::ranges::any_of(folders_,
                              [&](const fs::path& folder) { return is_walked(folder, path); });
+}
+
+bool FolderIndex::is_wanted(const fs::path& path) const {
+  return open_.contains(path) || walked_.contains(path) || is_in_folders(path);
 }
 
 std::optional<std::string> FolderIndex::text_of(std::unique_lock<std::mutex>& lock,

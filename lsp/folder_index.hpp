@@ -105,6 +105,7 @@ class FolderIndex {
   std::optional<std::string> text_of(std::unique_lock<std::mutex>& lock, const Path& path);
   bool replace(const Path& path, std::shared_ptr<const FileFacts> facts);
   bool remove_below(const Path& folder);
+  bool is_in_folders(const Path& path) const;
   bool is_wanted(const Path& path) const;
   Paths dependents_of(const Path& path) const;
   void call(std::unique_lock<std::mutex>& lock, const std::function<void()>& event);
@@ -127,10 +128,10 @@ class FolderIndex {
   mutable std::map<Path, std::vector<Path>, ByText> roots_;  // answers of roots_of()
   bool is_busy_ = false;
 
-  // The walk that goes on
-  std::optional<FolderWalk> walk_;
-  std::vector<Path> found_;  // to be read, the next one last
-  Paths walked_;
+  // The walk that goes on, or the last one
+  std::optional<FolderWalk> walk_;  // its content belongs to the thread
+  std::vector<Path> found_;         // to be read, the next one last
+  Paths walked_;                    // has been found; through links also outside of the folders
   Progress progress_;
   Clock::time_point walk_begin_, last_report_;
   bool has_begun_ = false;  // and that was reported

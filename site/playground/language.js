@@ -197,7 +197,7 @@ export const withoutFlags = (message) => message.replace(/(`--limit \w+=N`) allo
  */
 export class Language {
   #receive = () => {};
-  #taken = new Map(); // what was taken last, by URI: {mapping, diagnostics, findings, isComplete}
+  #taken = new Map(); // what was taken last, by URI: {mapping, older, diagnostics, findings, isComplete}
   #colorTimer = 0;
 
   constructor(project, { send, onFindings, onBusy }) {
@@ -248,7 +248,7 @@ export class Language {
   }
 
   #forget() {
-    for (const { mapping } of this.#taken.values()) mapping.destroy();
+    for (const { mapping, older } of this.#taken.values()) [mapping, ...older].forEach((each) => each.destroy());
     this.#taken.clear();
   }
 
@@ -308,19 +308,25 @@ export class Language {
       return; // they keep their fixes
     }
     // Places are followed through later changes.
-    last?.mapping.destroy();
     const mapping = client.workspaceMapping();
-    const findings = diagnostics.map((diagnostic) => ({
-      ...diagnostic,
-      message: withoutFlags(diagnostic.message),
-      at: () => [diagnostic.range.start, diagnostic.range.end].map((place) => mapping.mapPos(uri, at(place))),
-      fixes: [],
-    }));
-    const taken = { mapping, diagnostics, findings, isComplete: false };
+    const findings = diagnostics.map((diagnostic, index) => {
+      const message = withoutFlags(diagnostic.message);
+      const isSame = (other) =>
+        other.code === diagnostic.code && other.message === message && isEqual(other.at(), places[index]);
+      return {
+        ...diagnostic,
+        message,
+        at: () => [diagnostic.range.start, diagnostic.range.end].map((place) => mapping.mapPos(uri, at(place))),
+        fixes: last?.findings.find(isSame)?.fixes ?? [], // until the new ones are known
+      };
+    });
+    const older = last ? [last.mapping, ...last.older] : []; // of the fixes until then
+    const taken = { mapping, older, diagnostics, findings, isComplete: false };
     this.#taken.set(uri, taken);
     this.onFindings(name, findings);
     if (version != null && file?.view) this.onBusy(false);
-    if (!file || findings.length === 0) return;
+    const dropOlder = () => older.splice(0).forEach((each) => each.destroy());
+    if (!file || findings.length === 0) return dropOlder();
     await new Promise((resolve) => setTimeout(resolve, 100)); // the next key may come
     if (this.#taken.get(uri) !== taken) return;
     const end = { line: doc.lines - 1, character: doc.line(doc.lines).length };
@@ -330,6 +336,7 @@ export class Language {
       context: { diagnostics, only: ['quickfix'] },
     });
     if (this.#taken.get(uri) !== taken) return;
+    for (const finding of findings) finding.fixes = [];
     for (const action of actions ?? []) {
       if (!action.edit?.changes) continue;
       const fix = { title: action.title, apply: () => this.#apply(action.edit.changes, mapping) };
@@ -338,6 +345,7 @@ export class Language {
         findings.find(({ code, range }) => JSON.stringify([code, range]) === key)?.fixes.push(fix);
       }
     }
+    dropOlder();
     taken.isComplete = true;
     this.onFindings(name, findings);
   }

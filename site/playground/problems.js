@@ -11,9 +11,9 @@ export function offsetOf(doc, { line, column }) {
   return from + [...text].slice(0, column - 1).join('').length;
 }
 
-/** The place of an offset. */
+/** The place of an offset, or that of the end if the text is shorter. */
 export function placeOf(doc, offset) {
-  const { number, from, text } = doc.lineAt(offset);
+  const { number, from, text } = doc.lineAt(Math.min(offset, doc.length));
   return { line: number, column: [...text.slice(0, offset - from)].length + 1 };
 }
 
@@ -91,7 +91,7 @@ export class Problems {
     const view = this.#project.view();
     const shown = all.filter(([name]) => name === this.#project.current());
     const marks = shown.map(([, finding]) => {
-      const [from, to] = finding.at();
+      const [from, to] = finding.at().map((offset) => Math.min(offset, view.state.doc.length));
       const actions = finding.fixes.map(({ title, apply }) => ({ name: title, apply }));
       return { from, to, severity: severities[finding.severity ?? 1], message: finding.message, actions };
     });
@@ -101,18 +101,36 @@ export class Problems {
     $('problems-title').textContent = title;
     const list = $('problem-list');
     list.classList.toggle('is-old', this.#status !== null);
-    const focused = [...list.querySelectorAll('button')].indexOf(document.activeElement);
+    const focused = document.activeElement.closest('#problem-list li');
+    const index = [...list.children].indexOf(focused);
+    this.#showRows(all.map(([name, finding]) => this.#row(name, finding)));
     this.#listed = all;
-    // Rows that are as before stay: a click on a row that is replaced between press and release is lost.
-    const rows = all.map(([name, finding]) => this.#row(name, finding));
-    for (const row of [...list.children].slice(rows.length)) row.remove();
-    rows.forEach((row, index) => {
-      const before = list.children[index];
-      if (!before) list.append(row);
-      else if (!before.isEqualNode(row)) before.replaceWith(row);
+    if (focused && !list.contains(document.activeElement)) {
+      // Not to a fix: Enter would apply one that the user has not chosen.
+      const row = list.contains(focused) ? focused : (list.children[index] ?? list.lastChild);
+      (row?.firstChild ?? view).focus();
+    }
+  }
+
+  /** Rows of the same problem stay: a click on what is replaced between press and release is lost. */
+  #showRows(rows) {
+    const list = $('problem-list');
+    const before = [...list.children];
+    const shown = rows.map((row) => {
+      const isSame = (other) => other.className === row.className && other.firstChild.isEqualNode(row.firstChild);
+      const index = before.findIndex(isSame);
+      if (index < 0) return row;
+      const [kept] = before.splice(index, 1);
+      if (!kept.isEqualNode(row)) {
+        kept.querySelector('.fixes')?.remove();
+        kept.append(...[...row.children].slice(1));
+      }
+      return kept;
     });
-    const isFocusLost = focused >= 0 && !list.contains(document.activeElement);
-    if (isFocusLost) (list.querySelectorAll('button')[focused] ?? view).focus();
+    for (const row of before) row.remove();
+    shown.forEach((row, index) => {
+      if (list.children[index] !== row) list.insertBefore(row, list.children[index] ?? null);
+    });
   }
 
   #row(name, finding) {
@@ -139,6 +157,7 @@ export class Problems {
     const [name, finding] = this.#listed[[...row.parentElement.children].indexOf(row)];
     const fix = finding.fixes[[...row.querySelectorAll('.fixes button')].indexOf(button)];
     if (!fix) return this.#project.goTo(name, ...finding.at());
+    button.disabled = true; // a double click applies it once
     fix.apply();
     this.#project.view().focus();
   }

@@ -33,7 +33,7 @@ struct BrokenCase {
   const char* bad;
   const char* with;
   std::function<void(const TemporaryFolder&)> make;
-  const char* told;
+  const char* message;
 };
 
 void write_good(const std::filesystem::path& path) {
@@ -200,7 +200,7 @@ TEST_P(CompareRefuses, WhatItCannotCompare) {
     EXPECT_THAT(result.err, StartsWith("error: ")) << files;
     EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
     EXPECT_THAT(result.err, Not(HasSubstr("\033")));
-    EXPECT_THAT(result.err, HasSubstr(broken.told)) << files;
+    EXPECT_THAT(result.err, HasSubstr(broken.message)) << files;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "diff.png"));
   }
 }

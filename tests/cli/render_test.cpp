@@ -12,7 +12,6 @@
 namespace sdlc::test {
 namespace {
 
-using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -385,7 +384,7 @@ TEST_F(RenderCommand, SavesAPartialPictureWhenItIsInterrupted) {
             "-o out.png 2>" +
             log +
             " & pid=$!\n"
-            "while kill -0 $pid && ! grep -qs samples " +
+            "while kill -0 $pid && ! grep -qs '\"samples\": [1-9]' " +
             log +
             "; do sleep 0.1; done\n"
             "kill -" +

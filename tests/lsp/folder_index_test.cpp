@@ -234,6 +234,23 @@ TEST_F(FolderIndexTest, StopsAtItsLimit) {
   EXPECT_EQ(std::ranges::count(files(), "top.scene"), 1);
 }
 
+TEST_F(FolderIndexTest, KeepsAChangedFileThatALinkLeadsTo) {
+  const TemporaryFolder outside;
+  const fs::path target = outside / "far.scene";
+  std::ofstream(target) << "scene 1\n";
+  fs::create_symlink(target, folder_ / "link.scene");
+  start();
+  ASSERT_EQ(index_->files(), std::vector{target});
+  std::ofstream(target) << "scene 1\nlet far = 1\n";
+  index_->update(target);
+  index_->wait();
+  EXPECT_EQ(symbols(), (Names{"far"}));
+  fs::remove(target);
+  index_->update(target);
+  index_->wait();
+  EXPECT_EQ(index_->files(), std::vector<fs::path>());
+}
+
 /// Files with something that happens before the first of them is read.
 class FilesWithEvent final : public lang::FileSystem {
  public:

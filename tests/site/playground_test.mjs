@@ -212,8 +212,19 @@ function tests(name, executablePath, args, isReal) {
     await page.evaluate(() => {
       globalThis.isFixLost = false;
       const list = document.getElementById('problem-list');
-      new MutationObserver(() => { isFixLost ||= !list.querySelector('.fixes button'); }).observe(list, { childList: true });
+      new MutationObserver(() => { isFixLost ||= !list.querySelector('.fixes button'); })
+          .observe(list, { childList: true, subtree: true });
     });
+    // A problem before the pressed one comes and goes until the release.
+    await page.hover('.finding');
+    await page.mouse.down();
+    await goAfter(page, 'scene 1');
+    await page.keyboard.type(' x');
+    await title(page, '2 problems');
+    for (let i = 0; i < 2; ++i) await page.keyboard.press('Backspace');
+    await title(page, '1 problem');
+    await page.mouse.up();
+    await page.waitForFunction("String(getSelection()) === 'radious'");
     const before = await page.evaluate('location.hash');
     await page.hover('.fixes button');
     await page.mouse.down();
