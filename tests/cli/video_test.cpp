@@ -135,7 +135,7 @@ TEST_F(Videos, DoNotWaitForAnEncoderThatHangsAfterASignal) {
     const ProgramResult result = run(
         "PATH=\"$PWD/bin:$PATH\" \"$SDLC\" render film.scene -o a.mp4 " + std::string(size) +
         " & job=$!\n"
-        "until [ -e pid ]; do sleep 0.01; done\n"
+        "until [ -e pid ] || ! kill -0 $job; do sleep 0.01; done\n"
         "sleep 0.5; " +
         (*signals == '\0' ? "kill $job" : signals) +
         "; wait $job; status=$?\n"
