@@ -268,10 +268,11 @@ void FolderIndex::read_updated(std::unique_lock<std::mutex>& lock, const fs::pat
   lock.lock();
   if (is_folder) {
     has_new_folders_ = true;  // with everything in it
-  } else if (is_wanted(path)) {
+  } else if (const bool is_inside = is_in_folders(path);
+             is_inside || walked_.contains(path) || open_.contains(path)) {
     is_changed = read(lock, path);
     // The walk may have listed the folder before the file existed.
-    if (is_in_folders(path)) walked_.insert(path);
+    if (is_inside) walked_.insert(path);
   } else {
     is_changed = replace(path, nullptr);
     is_changed |= remove_below(path);
@@ -282,10 +283,6 @@ void FolderIndex::read_updated(std::unique_lock<std::mutex>& lock, const fs::pat
 bool FolderIndex::is_in_folders(const fs::path& path) const {
   return std::ranges::any_of(folders_,
                              [&](const fs::path& folder) { return is_walked(folder, path); });
-}
-
-bool FolderIndex::is_wanted(const fs::path& path) const {
-  return open_.contains(path) || walked_.contains(path) || is_in_folders(path);
 }
 
 std::optional<std::string> FolderIndex::text_of(std::unique_lock<std::mutex>& lock,

@@ -106,7 +106,6 @@ class FolderIndex {
   bool replace(const Path& path, std::shared_ptr<const FileFacts> facts);
   bool remove_below(const Path& folder);
   bool is_in_folders(const Path& path) const;
-  bool is_wanted(const Path& path) const;
   Paths dependents_of(const Path& path) const;
   void call(std::unique_lock<std::mutex>& lock, const std::function<void()>& event);
 
